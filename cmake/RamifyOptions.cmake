@@ -1,0 +1,27 @@
+# What every target of ramify is compiled with.
+#   ramify_language  goes to users too: the standard, and the flags that decide what a double is
+#   ramify_warnings  stays inside the build
+
+add_library(ramify_language INTERFACE)
+target_compile_features(ramify_language INTERFACE cxx_std_20)
+# Same bytes on every machine that computes IEEE doubles: no fused multiply-add behind our back.
+target_compile_options(ramify_language INTERFACE -ffp-contract=off)
+set_target_properties(ramify_language PROPERTIES EXPORT_NAME language)
+install(TARGETS ramify_language EXPORT ramifyTargets)
+
+add_library(ramify_warnings INTERFACE)
+target_compile_options(ramify_warnings INTERFACE
+  -Wall -Wextra -Wpedantic -Wconversion -Wshadow $<$<BOOL:${RAMIFY_WERROR}>:-Werror>)
+if(RAMIFY_CONTRACTS)
+  target_compile_definitions(ramify_language INTERFACE $<BUILD_INTERFACE:RAMIFY_CONTRACTS=1>)
+endif()
+
+if(RAMIFY_SANITIZE)
+  add_compile_options(-fsanitize=${RAMIFY_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  add_link_options(-fsanitize=${RAMIFY_SANITIZE})
+endif()
+
+find_program(RAMIFY_CCACHE ccache)
+if(RAMIFY_CCACHE)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${RAMIFY_CCACHE})
+endif()

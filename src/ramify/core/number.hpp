@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace ramify {
+
+/// A finite real written as "0.23", "1e-3" or a fraction "1/4.35"; nothing where the text is neither.
+std::optional<double> parse_real(std::string_view text);
+
+/// A whole number >= 0 written "1000", "1_000_000", "1e6" or "10^6"; nothing where the text is anything else
+/// (negative, fractional, above 2^64-1).
+std::optional<std::uint64_t> parse_count(std::string_view text);
+
+/// The shortest text that reads back as the same double.
+std::string format_exact(double value);
+
+/// At most 10 significant digits, for tables that must be the same bytes on every machine.
+std::string format_summary(double value);
+
+}  // namespace ramify

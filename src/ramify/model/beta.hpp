@@ -1,0 +1,44 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "ramify/model/split_law.hpp"
+#include "ramify/random/variates.hpp"
+
+namespace ramify {
+
+/// Beta split tree, floor model (A5, A8): left = floor(nX), X ~ beta(a,b) fresh at every node. Kruszewski 1996, 2.5.2.
+///
+/// a, b > 0 (tested from 0.01 to 1000); n <= 2^50. beta(1,1) is the BST.
+class Beta {
+ public:
+  static constexpr Size largest_size = max_double_size;
+  static constexpr bool uses_table = true;
+
+  /// Throws Error unless a and b are finite and positive.
+  Beta(double a, double b);
+
+  double a() const { return a_; }
+  double b() const { return b_; }
+
+  /// floor(nX), taken from the end that X is nearer to, so that X = 1 - 1e-30 still leaves exactly 0 on the right.
+  template <class Urbg>
+  Size left(Size n, Urbg& stream) const {
+    const UnitPair pair = beta_variate(stream, a_, b_);
+    const double size = static_cast<double>(n);
+    if (pair.x <= pair.complement) return std::min(static_cast<Size>(size * pair.x), n - 1);
+    const auto right_and_root = static_cast<Size>(std::ceil(size * pair.complement));
+    return n - std::clamp(right_and_root, Size{1}, n);
+  }
+
+  /// P(left = i) = I_((i+1)/n)(a,b) - I_(i/n)(a,b), each difference taken on the side where the incomplete beta is small.
+  std::vector<double> pmf(Size n) const;
+
+ private:
+  double a_;
+  double b_;
+};
+
+}  // namespace ramify

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <boost/random/binomial_distribution.hpp>
+#include <boost/random/gamma_distribution.hpp>
+#include <cmath>
+#include <cstdint>
+
+#include "ramify/core/contract.hpp"
+#include "ramify/random/uniform.hpp"
+
+namespace ramify {
+
+/// X in (0,1) with its complement, each to full relative precision: near 1, x alone would lose 1-x.
+struct UnitPair {
+  double x;
+  double complement;
+};
+
+/// log G of a gamma(shape, 1) variate G, shape > 0.
+///
+/// For shape < 1, G = G' U^(1/shape) with G' ~ gamma(shape+1) (Marsaglia and Tsang 2000, section 8); taken in
+/// logs, because G itself underflows to 0 with probability 0.06 at shape 0.004 and often below.
+template <class Urbg>
+double log_gamma_variate(Urbg& stream, double shape) {
+  if (shape >= 1) return std::log(boost::random::gamma_distribution<double>(shape)(stream));
+  const double boosted = std::log(boost::random::gamma_distribution<double>(shape + 1)(stream));
+  return boosted + std::log(uniform_open(stream)) / shape;
+}
+
+/// X ~ beta(a,b) and 1-X, a, b > 0 (0.01 to 1000 tested).
+///
+/// X = G_a / (G_a + G_b) through the log-ratio of the gammas: X = 1/(1+e^-d), 1-X = 1/(1+e^d), d = log G_a - log G_b.
+/// The plain quotient gives 0/0 and exact ones at a = b = 0.01.
+template <class Urbg>
+UnitPair beta_variate(Urbg& stream, double a, double b) {
+  const double log_ratio = log_gamma_variate(stream, a) - log_gamma_variate(stream, b);
+  return {1 / (1 + std::exp(-log_ratio)), 1 / (1 + std::exp(log_ratio))};
+}
+
+/// K ~ Binomial(trials, p), 0 < p < 1 (Boost.Random: Hormann's BTRD 1993, inversion for small means).
+template <class Urbg>
+std::uint64_t binomial_variate(Urbg& stream, std::uint64_t trials, double p) {
+  boost::random::binomial_distribution<std::int64_t, double> law(static_cast<std::int64_t>(trials), p);
+  return static_cast<std::uint64_t>(law(stream));
+}
+
+/// K ~ Binomial(trials, p) given 1 <= K <= trials-1; trials >= 2, 0 < p < 1: how many of `trials` strings go
+/// left at a branching node of a PATRICIA tree.
+///
+/// Rejection from the binomial where both ends are rare; else inversion from the rarer end, so that p = 1e-9
+/// costs no more than p = 1/2.
+template <class Urbg>
+std::uint64_t inner_binomial_variate(Urbg& stream, std::uint64_t trials, double p) {
+  RAMIFY_EXPECTS(trials >= 2 && p > 0 && p < 1);
+  if (p > 0.5) return trials - inner_binomial_variate(stream, trials, 1 - p);
+  const double m = static_cast<double>(trials);
+  if (m * p > 8) {
+    for (;;) {
+      const std::uint64_t k = binomial_variate(stream, trials, p);
+      if (k >= 1 && k < trials) return k;
+    }
+  }
+  // P(K = k) relative to P(K = 0), summed from k = 1; the total leaves out both ends.
+  const double odds = p / (1 - p);
+  const double log_none = m * std::log1p(-p);
+  const double total = -std::expm1(log_none) - std::pow(p, m);
+  double rest = uniform_open(stream) * total;
+  double term = std::exp(log_none) * m * odds;
+  std::uint64_t k = 1;
+  while (rest > term && k + 1 < trials) {
+    rest -= term;
+    term *= odds * (m - static_cast<double>(k)) / static_cast<double>(k + 1);
+    ++k;
+  }
+  return k;
+}
+
+}  // namespace ramify

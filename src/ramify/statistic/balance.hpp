@@ -1,0 +1,31 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+namespace ramify {
+
+/// BALANCE number (B16): an edge to a child no larger than any of its siblings counts 1, every other edge 0; the
+/// maximum over root-to-leaf paths of the sum. Equal siblings both count 1. An external node has 0.
+/// Needs labels that are sizes. Every edge that counts at least halves the number of external nodes, so B <= log2(n+1).
+class Balance {
+ public:
+  using Value = std::uint8_t;
+
+  Value external() const { return 0; }
+
+  template <class Label, class Labels, class Values>
+  Value join(const Label&, const Labels& sizes, const Values& balances) const {
+    const auto smallest = *std::min_element(sizes.begin(), sizes.end());
+    Value best = 0;
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+      // An only child has no sibling to be smaller than: its edge counts 0.
+      const bool counts = sizes.size() > 1 && sizes[i] == smallest;
+      best = std::max(best, static_cast<Value>(balances[i] + (counts ? 1 : 0)));
+    }
+    return best;
+  }
+};
+
+}  // namespace ramify

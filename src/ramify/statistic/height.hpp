@@ -1,0 +1,22 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+namespace ramify {
+
+/// Height (B4): nodes on the longest path from the root to an external node, both counted; a single external node has
+/// height 1. theory.md and most of the literature count internal levels: one less.
+class Height {
+ public:
+  using Value = std::uint32_t;
+
+  Value external() const { return 1; }
+
+  template <class Label, class Labels, class Values>
+  Value join(const Label&, const Labels&, const Values& heights) const {
+    return 1 + *std::max_element(heights.begin(), heights.end());
+  }
+};
+
+}  // namespace ramify

@@ -1,0 +1,93 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "ramify/tree/grammar.hpp"
+
+namespace ramify {
+
+/// The values of several folds at one node. std::tuple would do, were it trivially copyable.
+template <class First, class... Rest>
+struct ValuePack {
+  First first;
+  ValuePack<Rest...> rest;
+};
+template <class First>
+struct ValuePack<First> {
+  First first;
+};
+
+template <std::size_t I, class... Values>
+auto get(const ValuePack<Values...>& pack) {
+  if constexpr (I == 0) {
+    return pack.first;
+  } else {
+    return get<I - 1>(pack.rest);
+  }
+}
+
+/// Several folds in one pass over one tree: values, joins and tallies side by side. List folds with larger values
+/// first: the pack of values is then the smallest.
+template <class... Folds>
+class Joint {
+ public:
+  using Value = ValuePack<typename Folds::Value...>;
+
+  Joint() = default;
+  explicit Joint(Folds... folds) : folds_(std::move(folds)...) {}
+
+  Value external() {
+    return std::apply([](auto&... fold) { return pack(fold.external()...); }, folds_);
+  }
+
+  template <class Label, class Labels, class Values>
+  Value join(const Label& label, const Labels& labels, const Values& values) {
+    return join_each(label, labels, values, std::index_sequence_for<Folds...>{});
+  }
+
+  template <class F>
+  const F& get() const {
+    return std::get<F>(folds_);
+  }
+
+ private:
+  template <std::size_t I>
+  using FoldValue = typename std::tuple_element_t<I, std::tuple<Folds...>>::Value;
+
+  template <class First, class... Rest>
+  static ValuePack<First, Rest...> pack(First first, Rest... rest) {
+    if constexpr (sizeof...(Rest) == 0) {
+      return {first};
+    } else {
+      return {first, pack(rest...)};
+    }
+  }
+
+  template <class Label, class Labels, class Values, std::size_t... I>
+  Value join_each(const Label& label, const Labels& labels, const Values& values, std::index_sequence<I...>) {
+    return pack(std::get<I>(folds_).join(label, labels, column<I>(values))...);
+  }
+
+  // The I-th fold's values, as an array for two children and a vector for any other number.
+  template <std::size_t I>
+  static auto column(const Pair<Value>& values) {
+    return Pair<FoldValue<I>>{ramify::get<I>(values[0]), ramify::get<I>(values[1])};
+  }
+
+  template <std::size_t I>
+  static auto column(std::span<const Value> values) {
+    std::vector<FoldValue<I>> column;
+    column.reserve(values.size());
+    for (const Value& value : values) column.push_back(ramify::get<I>(value));
+    return column;
+  }
+
+  std::tuple<Folds...> folds_;
+};
+
+}  // namespace ramify

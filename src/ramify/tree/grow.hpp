@@ -1,0 +1,140 @@
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+
+#include "ramify/core/cancellation.hpp"
+#include "ramify/core/error.hpp"
+#include "ramify/tree/fold.hpp"
+#include "ramify/tree/grammar.hpp"
+#include "ramify/tree/segmented_stack.hpp"
+
+namespace ramify {
+
+/// An open node of a growing tree: its label, the label of the child that is not being grown, and, once the
+/// left child is done, that child's value.
+template <class Label, class Value>
+class OpenNode {
+ public:
+  OpenNode() = default;
+  OpenNode(const Label& label, const Label& right) : label_(label), sibling_(right), left_done_(false) {}
+
+  bool left_done() const { return left_done_; }
+  const Label& label() const { return label_; }
+  const Label& sibling() const { return sibling_; }
+  const Value& left_value() const { return left_value_; }
+
+  /// The left child is done: from now on the right one is grown.
+  void finish_left(const Label& left, const Value& value) {
+    sibling_ = left;
+    left_value_ = value;
+    left_done_ = true;
+  }
+
+ private:
+  Label label_;
+  Label sibling_;
+  Value left_value_;
+  bool left_done_;
+};
+
+/// Sizes stay below 2^62, so the top bit of the sibling's size says whether the left child is done: with a value of
+/// 8 bytes an open node costs 24 bytes instead of 32.
+template <class Value>
+class OpenNode<Size, Value> {
+ public:
+  OpenNode() = default;
+  OpenNode(Size label, Size right) : label_(label), tagged_sibling_(right) {}
+
+  bool left_done() const { return (tagged_sibling_ & done_bit) != 0; }
+  Size label() const { return label_; }
+  Size sibling() const { return tagged_sibling_ & ~done_bit; }
+  const Value& left_value() const { return left_value_; }
+
+  void finish_left(Size left, const Value& value) {
+    tagged_sibling_ = left | done_bit;
+    left_value_ = value;
+  }
+
+ private:
+  static constexpr Size done_bit = Size{1} << 63;
+  Size label_;
+  Size tagged_sibling_;
+  Value left_value_;
+};
+
+/// Grows a tree depth-first, left before right, and folds it on the way: the tree is never stored.
+///
+/// Draws from the stream in preorder, so the tree is the one grow_tree stores (store.hpp). Memory: one OpenNode for
+/// every level, on an explicit stack that is kept between trees; use one Grower for each thread.
+template <class G, class F, class Urbg>
+  requires Grammar<G, Urbg> && Fold<F, typename G::Label>
+class Grower {
+ public:
+  using Label = typename G::Label;
+  using Value = typename F::Value;
+
+  /// @param cancellation  looked at every 2^20 nodes; must outlive the Grower
+  explicit Grower(const Cancellation& cancellation) : cancellation_(&cancellation) {}
+
+  /// The fold's value at the root; O(nodes) time. Throws Interrupted when cancelled.
+  Value operator()(const G& grammar, Label label, Urbg& stream, F& fold) {
+    open_.clear();
+    for (;;) {
+      Value value = descend(grammar, label, stream, fold);
+      while (!open_.empty() && open_.top().left_done()) value = close(label, value, fold);
+      if (open_.empty()) return value;
+      const Label right = open_.top().sibling();
+      open_.top().finish_left(label, value);
+      label = right;
+    }
+  }
+
+  /// Memory of the deepest tree so far, in bytes.
+  std::size_t stack_bytes() const { return open_.capacity_bytes(); }
+
+ private:
+  /// Goes down to the left until a subtree is done: opens every node on the way, leaves the finished subtree in label.
+  Value descend(const G& grammar, Label& label, Urbg& stream, F& fold) {
+    if (grammar.is_external(label)) return fold.external();
+    for (;;) {
+      const Pair<Label> children = grammar.children(label, stream);
+      const bool left_external = grammar.is_external(children[0]);
+      if (!left_external) {
+        open_.push({label, children[1]});
+        label = children[0];
+        continue;
+      }
+      // An external left child is done at once; with an external right one, so is the node.
+      const Value left = fold.external();
+      if (grammar.is_external(children[1])) return fold.join(label, children, Pair<Value>{left, fold.external()});
+      open_.push({label, children[1]});
+      open_.top().finish_left(children[0], left);
+      label = children[1];
+    }
+  }
+
+  /// Both children of the last open node are done: joins them.
+  Value close(Label& label, const Value& right, F& fold) {
+    const auto& node = open_.top();
+    const Label parent = node.label();
+    const Value value = fold.join(parent, Pair<Label>{node.sibling(), label}, Pair<Value>{node.left_value(), right});
+    label = parent;
+    open_.pop();
+    look_for_cancellation();
+    return value;
+  }
+
+  void look_for_cancellation() {
+    if (--until_look_ != 0) return;
+    until_look_ = nodes_between_looks;
+    if (cancellation_->requested()) throw Interrupted();
+  }
+
+  static constexpr std::uint32_t nodes_between_looks = 1u << 20;
+  SegmentedStack<OpenNode<Label, Value>> open_;
+  const Cancellation* cancellation_;
+  std::uint32_t until_look_ = nodes_between_looks;
+};
+
+}  // namespace ramify

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <algorithm>
+#include <numeric>
+#include <span>
+#include <vector>
+
+#include "ramify/tree/fold.hpp"
+#include "ramify/tree/tree.hpp"
+
+namespace ramify {
+
+/// Folds a stored tree of any arity; labels are sizes (internal nodes of the subtree).
+///
+/// @param tree  at least one node
+/// Reads the word backwards, which is a postorder with siblings last to first; a fold that draws at random therefore
+/// takes other draws than a growing tree does, from the same law. O(nodes) time, O(height + arity) memory.
+template <class F>
+typename F::Value measure(const Tree& tree, F& fold) {
+  RAMIFY_EXPECTS(tree.node_count() > 0);
+  using Value = typename F::Value;
+  std::vector<Size> sizes;
+  std::vector<Value> values;
+  for (std::size_t node = tree.node_count(); node-- > 0;) {
+    const std::size_t children = tree.arity(node);
+    if (children == 0) {
+      sizes.push_back(0);
+      values.push_back(fold.external());
+      continue;
+    }
+    // The stack holds the leftmost child on top: turn the top run round to hand the children over left to right.
+    const auto first = static_cast<std::ptrdiff_t>(values.size() - children);
+    std::reverse(sizes.begin() + first, sizes.end());
+    std::reverse(values.begin() + first, values.end());
+    const std::span<const Size> child_sizes(sizes.data() + first, children);
+    const std::span<const Value> child_values(values.data() + first, children);
+    const Size size = 1 + std::accumulate(child_sizes.begin(), child_sizes.end(), Size{0});
+    const Value value = fold.join(size, child_sizes, child_values);
+    sizes.resize(static_cast<std::size_t>(first));
+    values.resize(static_cast<std::size_t>(first));
+    sizes.push_back(size);
+    values.push_back(value);
+  }
+  return values.back();
+}
+
+}  // namespace ramify
