@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "ramify/model/beta.hpp"
+#include "ramify/model/bst.hpp"
+#include "ramify/model/catalan.hpp"
+#include "ramify/model/dst.hpp"
+#include "ramify/model/fixed_split.hpp"
+#include "ramify/model/patricia.hpp"
+
+namespace ramify {
+
+/// The split law of any model; std::visit gives the concrete type, so nothing is virtual for each node.
+using AnySplitLaw = std::variant<Bst, Beta, FixedSplit, Dst, Patricia, Catalan>;
+
+/// What `ramify list models` says of a model.
+struct ModelInfo {
+  std::string_view name;                    ///< "beta"
+  std::vector<std::string_view> parameters; ///< "a", "b"
+  std::string_view n_counts;                ///< what n counts
+  std::string_view domain;                  ///< of the parameters
+  std::string_view description;             ///< the split law in a line
+  std::string_view source;                  ///< author year, catalogue number
+  AnySplitLaw (*make)(std::span<const double> parameters);
+
+  /// "beta(a,b)"
+  std::string signature() const;
+};
+
+/// All models, in the order they are listed.
+const std::vector<ModelInfo>& models();
+
+/// A model with its parameters, as written on a command line or in a config.
+class Model {
+ public:
+  /// "bst", "beta(10,80)", "patricia(1/4.35)"; white space is ignored. Throws Error for an unknown name (nearest names given), a
+  /// wrong number of parameters, a parameter that is no number or out of its domain.
+  static Model parse(std::string_view text);
+
+  /// The model as written, without white space.
+  const std::string& text() const { return text_; }
+  const std::string& name() const { return name_; }
+  const std::vector<double>& parameters() const { return parameters_; }
+  const AnySplitLaw& law() const { return law_; }
+
+  Size largest_size() const;
+
+  /// Throws Error where n is larger than the model can draw.
+  void require_size(Size n) const;
+
+  /// Hash of (model, n): the cell half of a StreamKey. Depends on the values of the parameters, not on how they are written.
+  std::uint64_t stream_cell(Size n) const;
+
+  /// Same name and same values of the parameters.
+  friend bool operator==(const Model& a, const Model& b) {
+    return a.name_ == b.name_ && a.parameters_ == b.parameters_;
+  }
+
+ private:
+  Model(std::string text, std::string name, std::vector<double> parameters, AnySplitLaw law);
+
+  std::string text_;
+  std::string name_;
+  std::vector<double> parameters_;
+  AnySplitLaw law_;
+};
+
+}  // namespace ramify
