@@ -10,7 +10,7 @@ namespace ramify {
 namespace {
 
 std::optional<double> parse_plain(std::string_view text) {
-  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
   double value = 0;
   const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (status != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
@@ -39,7 +39,7 @@ std::optional<double> parse_real(std::string_view text) {
   if (slash == std::string_view::npos) return parse_plain(text);
   const auto numerator = parse_plain(text.substr(0, slash));
   const auto denominator = parse_plain(text.substr(slash + 1));
-  if (!numerator || !denominator || *denominator == 0) return std::nullopt;
+  if (!numerator || !denominator || !std::isfinite(*numerator / *denominator)) return std::nullopt;
   return *numerator / *denominator;
 }
 

@@ -1,0 +1,104 @@
+#include "verdicts.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "ramify/core/number.hpp"
+#include "ramify/io/csv_writer.hpp"
+#include "ramify/report/verdict_table.hpp"
+
+namespace ramify {
+
+void Evidence::add(const std::vector<const Claim*>& served, const std::vector<CheckedCell>& cells) {
+  for (const auto* claim : served) {
+    auto& mine = cells_[claim->id];
+    mine.insert(mine.end(), cells.begin(), cells.end());
+  }
+  all_.insert(all_.end(), cells.begin(), cells.end());
+}
+
+std::vector<Verdict> Evidence::verdicts() const {
+  std::vector<Verdict> all;
+  for (const auto& claim : claims()) {
+    const auto found = cells_.find(claim.id);
+    if (found == cells_.end()) continue;
+    for (auto& verdict : claim.judge(found->second)) all.push_back(std::move(verdict));
+  }
+  return all;
+}
+
+std::vector<NamedPlot> Evidence::plots() const {
+  std::vector<NamedPlot> all;
+  for (const auto& claim : claims()) {
+    const auto found = cells_.find(claim.id);
+    if (found == cells_.end()) continue;
+    for (auto& plot : claim.plots(found->second)) all.push_back(std::move(plot));
+  }
+  return all;
+}
+
+std::optional<Evidence::WorstCheck> Evidence::worst_check() const {
+  WorstCheck worst{0, "", 0};
+  for (const auto& cell : all_) {
+    for (std::size_t i = 0; i < cell.checks.size(); ++i) {
+      if (!cell.checks[i]) continue;
+      ++worst.checks;
+      if (std::fabs(cell.checks[i]->z) < worst.z) continue;
+      worst.z = std::fabs(cell.checks[i]->z);
+      worst.where = fmt::format("{} of {} at n = {}", cell.result.columns[i].name, cell.result.model, cell.result.n);
+    }
+  }
+  if (worst.checks == 0) return std::nullopt;
+  return worst;
+}
+
+std::string verdict_csv(const std::vector<Verdict>& verdicts) {
+  CsvTable table({"claim", "source", "statement", "convention", "theory", "estimate", "standard_error", "lower", "upper",
+                  "largest_n", "verdict", "method"});
+  for (const auto& v : verdicts)
+    table.add(CsvRow()
+                  .text(v.claim)
+                  .text(v.source)
+                  .text(v.statement)
+                  .text(v.convention)
+                  .summary(v.theory)
+                  .summary(v.estimate)
+                  .summary(v.standard_error)
+                  .summary(v.lower)
+                  .summary(v.upper)
+                  .whole(v.largest_n)
+                  .text(to_string(v.outcome))
+                  .text(v.method));
+  return table.text();
+}
+
+std::string verdict_text(const std::vector<Verdict>& verdicts) {
+  std::vector<std::vector<std::string>> rows;
+  for (const auto& v : verdicts)
+    rows.push_back({v.claim, v.statement, fmt::format("{:.4f}", v.theory),
+                    fmt::format("{:.4f} [{:.4f}, {:.4f}]", v.estimate, v.lower, v.upper),
+                    fmt::format("{}", v.largest_n), std::string(to_string(v.outcome))});
+  return text_table({"claim", "statement", "theory", "estimate [99 % interval]", "largest n", "verdict"}, rows);
+}
+
+std::string verdict_json(const std::vector<Verdict>& verdicts) {
+  auto all = nlohmann::ordered_json::array();
+  for (const auto& v : verdicts)
+    all.push_back({{"claim", v.claim},
+                   {"source", v.source},
+                   {"statement", v.statement},
+                   {"convention", v.convention},
+                   {"theory", v.theory},
+                   {"estimate", v.estimate},
+                   {"standard_error", v.standard_error},
+                   {"lower", v.lower},
+                   {"upper", v.upper},
+                   {"largest_n", v.largest_n},
+                   {"verdict", to_string(v.outcome)},
+                   {"method", v.method}});
+  return all.dump(2) + "\n";
+}
+
+}  // namespace ramify

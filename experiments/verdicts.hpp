@@ -1,0 +1,46 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "claim.hpp"
+
+namespace ramify {
+
+/// The finished cells that bear on every claim, claim by claim.
+class Evidence {
+ public:
+  /// Adds the cells of a config to the claims it names.
+  void add(const std::vector<const Claim*>& served, const std::vector<CheckedCell>& cells);
+
+  /// Verdicts of all claims with evidence, in the order of the catalogue.
+  std::vector<Verdict> verdicts() const;
+
+  /// Their plots.
+  std::vector<NamedPlot> plots() const;
+
+  /// The largest |z| of any sampled mean against its exact value, and where; nothing where no law was in reach.
+  struct WorstCheck {
+    double z;
+    std::string where;
+    std::size_t checks;
+  };
+  std::optional<WorstCheck> worst_check() const;
+
+ private:
+  std::map<std::string_view, std::vector<CheckedCell>> cells_;
+  std::vector<CheckedCell> all_;
+};
+
+/// verdicts.csv (INTERFACE: reproduce).
+std::string verdict_csv(const std::vector<Verdict>& verdicts);
+
+/// The same for a terminal: claim, statement, theory, estimate with its interval, largest n, verdict.
+std::string verdict_text(const std::vector<Verdict>& verdicts);
+
+/// verdict.json of one run folder.
+std::string verdict_json(const std::vector<Verdict>& verdicts);
+
+}  // namespace ramify

@@ -1,0 +1,71 @@
+#include <fmt/format.h>
+
+#include "ramify/core/number.hpp"
+#include "ramify/fit/fit_table.hpp"
+#include "ramify/fit/ratio_fitter.hpp"
+#include "session.hpp"
+
+namespace ramify::cli {
+namespace {
+
+struct Options {
+  std::vector<std::string> files;
+  std::string model = "patricia", observable = "ratio", n, seed = "1996", threads, format = "table", output;
+};
+
+FitOptions fit_options(const Options& options) {
+  FitOptions fit;
+  fit.model = options.model;
+  fit.seed = read_count("--seed", options.seed);
+  fit.threads = read_threads(options.threads);
+  if (!options.n.empty()) fit.n = read_count("--n", options.n);
+  return fit;
+}
+
+void require_known(const Options& options) {
+  if (options.observable != "ratio")
+    throw Error(fmt::format("--observable {}", options.observable), "only the bifurcation ratio is fitted so far",
+                "take ratio");
+  if (options.format != "table" && options.format != "csv")
+    throw Error(fmt::format("--format {}", options.format), "not a format that fit writes", "take table or csv");
+}
+
+ExitCode fit(const Options& options, const Cancellation& cancellation) {
+  require_known(options);
+  std::vector<RatioDatum> data;
+  for (const auto& file : options.files)
+    for (auto& datum : read_ratio_data(file)) data.push_back(std::move(datum));
+  RatioFitter fitter(fit_options(options), cancellation);
+  const auto progress = progress_line("fit");
+  std::vector<FitRow> rows;
+  for (std::size_t i = 0; i < data.size(); ++i) {
+    for (const auto& warning : data[i].warnings) fmt::print(stderr, "ramify: warning: {}\n", warning);
+    for (auto& row : fitter.fit(data[i])) rows.push_back(std::move(row));
+    if (progress) progress(static_cast<double>(i + 1), static_cast<double>(data.size()));
+  }
+  clear_progress_line();
+  emit(options.format == "csv" ? fit_csv(rows).text() : fit_text(rows), options.output);
+  return any_not_converged(rows) ? ExitCode::no_convergence : ExitCode::done;
+}
+
+}  // namespace
+
+void add_fit(CLI::App& app, Session& session) {
+  auto options = std::make_shared<Options>();
+  auto* verb = app.add_subcommand("fit", "Fit the split parameter of a model to measured bifurcation ratios");
+  verb->add_option("data", options->files, "CSV: ratios (name,ratio,max_order,branches) or stream counts (order,count)")
+      ->required();
+  verb->add_option("--model", options->model, "patricia or dst")->capture_default_str();
+  verb->add_option("--observable", options->observable, "what is fitted: ratio")->capture_default_str();
+  verb->add_option("--n", options->n, "internal nodes, in place of the size in the data");
+  verb->add_option("--seed", options->seed, "seed")->capture_default_str();
+  verb->add_option("--threads", options->threads, "threads; all cores if left out. The result does not depend on it");
+  verb->add_option("--format", options->format, "table or csv")->capture_default_str();
+  verb->add_option("-o,--output", options->output, "write to this file, in one step");
+  verb->footer("Example: ramify fit data/species.csv");
+  verb->callback([&session, options] {
+    session.work = [&session, options] { return fit(*options, session.cancellation); };
+  });
+}
+
+}  // namespace ramify::cli

@@ -1,0 +1,61 @@
+#include "claim.hpp"
+#include "ramify/core/nearest_name.hpp"
+#include "ramify/io/csv_writer.hpp"
+#include "ramify/model/registry.hpp"
+#include "ramify/statistic/registry.hpp"
+#include "session.hpp"
+
+namespace ramify::cli {
+namespace {
+
+std::string model_table() {
+  CsvTable table({"name", "n_counts", "domain", "description", "sampled", "source"});
+  for (const auto& info : models())
+    table.add({info.signature(), std::string(info.n_counts), std::string(info.domain), std::string(info.description),
+               "streamed", std::string(info.source)});
+  return table.text();
+}
+
+std::string statistic_table() {
+  CsvTable table({"name", "columns", "convention", "description", "source"});
+  for (const auto& info : statistics())
+    table.add({std::string(info.name), info.columns(), std::string(info.convention), std::string(info.description),
+               std::string(info.source)});
+  return table.text();
+}
+
+std::string claim_table() {
+  CsvTable table({"claim", "statement", "source"});
+  for (const auto& claim : claims())
+    table.add({std::string(claim.id), std::string(claim.statement), std::string(claim.source)});
+  return table.text();
+}
+
+std::string table_of(const std::string& what) {
+  if (what == "models") return model_table();
+  if (what == "statistics") return statistic_table();
+  if (what == "claims") return claim_table();
+  throw Error("cannot list '" + what + "'", "there is no such list",
+              did_you_mean(what, {"models", "statistics", "claims"}) + "list models, statistics or claims");
+}
+
+}  // namespace
+
+void add_list(CLI::App& app, Session& session) {
+  struct Options {
+    std::string what, output;
+  };
+  auto options = std::make_shared<Options>();
+  auto* verb = app.add_subcommand("list", "List the models, statistics or claims with their conventions and sources");
+  verb->add_option("what", options->what, "models, statistics or claims")->required();
+  verb->add_option("-o,--output", options->output, "write the table to this file");
+  verb->footer("Example: ramify list models");
+  verb->callback([&session, options] {
+    session.work = [options] {
+      emit(table_of(options->what), options->output);
+      return ExitCode::done;
+    };
+  });
+}
+
+}  // namespace ramify::cli

@@ -1,0 +1,64 @@
+#include <fmt/format.h>
+
+#include <set>
+
+#include "ramify/core/number.hpp"
+#include "session.hpp"
+
+#include "run_config_file.hpp"
+
+namespace ramify::cli {
+namespace {
+
+struct Options {
+  std::vector<std::string> configs;
+  RunFlags flags;
+};
+
+std::vector<RunConfig> read_configs(const Options& options) {
+  std::vector<RunConfig> configs;
+  std::set<std::string> stems;
+  for (const auto& path : options.configs) {
+    configs.push_back(read_run_config(path));
+    find_claims(configs.back().claim.value_or(""));
+    if (!options.flags.seed.empty()) configs.back().seed = read_count("--seed", options.flags.seed);
+    if (!stems.insert(std::filesystem::path(path).stem().string()).second)
+      throw Error(fmt::format("config '{}'", path), "another config has the same file name, and so the same folder",
+                  "run them with different --out");
+  }
+  return configs;
+}
+
+ExitCode run(const Options& options, const Cancellation& cancellation) {
+  const auto configs = read_configs(options);
+  const unsigned threads = read_threads(options.flags.threads);
+  if (options.flags.dry_run) {
+    emit(describe_work(configs, threads), "");
+    return ExitCode::done;
+  }
+  require_consent(total_nodes(configs), options.flags.yes);
+  Evidence evidence;
+  for (const auto& config : configs) run_config_file(config, options.flags, cancellation, evidence);
+  const auto verdicts = evidence.verdicts();
+  if (!verdicts.empty()) emit(verdict_text(verdicts), "");
+  for (const auto& config : configs)
+    fmt::print(stderr, "tables and plots: {}\n",
+               (std::filesystem::path(options.flags.out) / std::filesystem::path(config.path).stem()).string());
+  return judge_checks(evidence);
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, Session& session) {
+  auto options = std::make_shared<Options>();
+  options->flags.out = "results/runs";
+  auto* verb = app.add_subcommand("run", "Run configs: grow, measure, compare, write tables and plots");
+  verb->add_option("config", options->configs, "TOML files (docs/config.md)")->required();
+  options->flags.add_to(*verb);
+  verb->footer("Example: ramify run configs/quick/catalan_order.toml --out results/runs");
+  verb->callback([&session, options] {
+    session.work = [&session, options] { return run(*options, session.cancellation); };
+  });
+}
+
+}  // namespace ramify::cli

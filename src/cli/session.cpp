@@ -1,0 +1,84 @@
+#include "session.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <thread>
+
+#include "ramify/core/number.hpp"
+#include "ramify/experiment/plan.hpp"
+#include "ramify/io/atomic_file.hpp"
+
+namespace ramify::cli {
+
+std::uint64_t read_count(std::string_view what, const std::string& text) {
+  const auto value = parse_count(text);
+  if (!value || *value > max_size)
+    throw Error(fmt::format("{} '{}'", what, text), "not a whole number from 0 to 2^62",
+                "write it like 1000, 1e6 or 2^20");
+  return *value;
+}
+
+std::vector<std::string> split_list(const std::string& text) {
+  std::vector<std::string> items(1);
+  int depth = 0;
+  for (const char c : text) {
+    if (c == '(') ++depth;
+    if (c == ')') --depth;
+    if (c == ',' && depth == 0)
+      items.emplace_back();
+    else if (c != ' ')
+      items.back() += c;
+  }
+  std::erase(items, "");
+  return items;
+}
+
+unsigned read_threads(const std::string& text) {
+  if (text.empty()) return std::max(1u, std::thread::hardware_concurrency());
+  const std::uint64_t threads = read_count("--threads", text);
+  if (threads < 1 || threads > 1024)
+    throw Error(fmt::format("--threads {}", threads), "must be from 1 to 1024", "leave it out to use every core");
+  return static_cast<unsigned>(threads);
+}
+
+void emit(const std::string& table, const std::string& output_file) {
+  if (!output_file.empty()) return write_file_atomically(output_file, table);
+  const bool written = std::fwrite(table.data(), 1, table.size(), stdout) == table.size() && std::fflush(stdout) == 0;
+  if (!written)
+    throw Error("cannot write to standard output", std::strerror(errno), "free space, or name a file with -o");
+}
+
+void require_consent(double nodes, bool yes) {
+  if (nodes <= large_work || yes) return;
+  throw Error(fmt::format("{:.3g} nodes to grow", nodes), "more than 10^13 takes days",
+              "add --yes if you mean it, or see --dry-run");
+}
+
+std::function<void(double, double)> progress_line(const std::string& label) {
+  if (isatty(STDERR_FILENO) == 0) return {};
+  using Clock = std::chrono::steady_clock;
+  const auto begin = Clock::now();
+  auto last = std::make_shared<Clock::time_point>(begin);
+  return [=](double done, double total) {
+    const auto now = Clock::now();
+    if (now - *last < std::chrono::milliseconds(200)) return;
+    *last = now;
+    const double seconds = std::chrono::duration<double>(now - begin).count();
+    const double left = done > 0 ? seconds * (total - done) / done : 0;
+    fmt::print(stderr, "\r{}: {:3.0f} %, {:.3g} nodes, {:.0f} s left \033[K", label, 100 * done / total, done, left);
+    std::fflush(stderr);
+  };
+}
+
+void clear_progress_line() {
+  if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r\033[K");
+}
+
+}  // namespace ramify::cli

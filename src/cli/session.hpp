@@ -1,0 +1,50 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ramify/core/cancellation.hpp"
+#include "ramify/core/error.hpp"
+#include "ramify/tree/grammar.hpp"
+
+namespace ramify::cli {
+
+/// What the verbs share: the flag that Ctrl-C sets, and the work that the chosen verb has put down.
+struct Session {
+  Cancellation cancellation;
+  std::function<ExitCode()> work;
+};
+
+/// Each adds one verb to the program and, when it is chosen, sets session.work.
+void add_list(CLI::App& app, Session& session);
+void add_sample(CLI::App& app, Session& session);
+void add_theory(CLI::App& app, Session& session);
+void add_run(CLI::App& app, Session& session);
+void add_reproduce(CLI::App& app, Session& session);
+void add_fit(CLI::App& app, Session& session);
+
+/// "1000", "1e6", "2^20", "1_000_000"; throws Error for anything but a whole number from 0 to 2^62. what names the option.
+std::uint64_t read_count(std::string_view what, const std::string& text);
+
+/// A comma-separated list, spaces trimmed; commas inside parentheses belong to the item: "beta(1,5),bst" is two.
+std::vector<std::string> split_list(const std::string& text);
+
+/// Threads for --threads: the number given (1 to 1024), else as many as the machine has cores.
+unsigned read_threads(const std::string& text);
+
+/// Writes a table to standard output, or atomically to the file of -o. Throws Error where that fails.
+void emit(const std::string& table, const std::string& output_file);
+
+/// Refuses more than 10^13 nodes unless --yes was given.
+void require_consent(double nodes, bool yes);
+
+/// A progress line on standard error; does nothing where that is not a terminal.
+std::function<void(double done, double total)> progress_line(const std::string& label);
+
+/// Ends the progress line.
+void clear_progress_line();
+
+}  // namespace ramify::cli

@@ -1,0 +1,41 @@
+#include "ramify/theory/constants.hpp"
+
+#include "ramify/core/number.hpp"
+#include "ramify/io/csv_writer.hpp"
+#include "session.hpp"
+
+namespace ramify::cli {
+namespace {
+
+std::string constant_table(const std::vector<std::string>& model_texts) {
+  CsvTable table({"model", "constant", "value", "error", "formula", "source"});
+  for (const auto& text : model_texts) {
+    const Model model = Model::parse(text);
+    for (const auto& constant : constants(model))
+      table.add({model.text(), constant.name, format_exact(constant.value), format_summary(constant.error),
+                 constant.formula, constant.source});
+  }
+  return table.text();
+}
+
+}  // namespace
+
+void add_theory(CLI::App& app, Session& session) {
+  struct Options {
+    std::string models, output;
+  };
+  auto options = std::make_shared<Options>();
+  auto* verb = app.add_subcommand("theory", "Limit constants of a model, computed, with formula, error and source");
+  verb->add_option("--model", options->models, "a model, or several separated by commas: \"bst,beta(10,80)\"")
+      ->required();
+  verb->add_option("-o,--output", options->output, "write the table to this file");
+  verb->footer("Example: ramify theory --model \"beta(10,80)\"");
+  verb->callback([&session, options] {
+    session.work = [options] {
+      emit(constant_table(split_list(options->models)), options->output);
+      return ExitCode::done;
+    };
+  });
+}
+
+}  // namespace ramify::cli

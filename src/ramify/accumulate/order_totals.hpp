@@ -1,0 +1,46 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "ramify/core/wide.hpp"
+#include "ramify/statistic/horton_strahler.hpp"
+
+namespace ramify {
+
+/// A value with its standard error.
+struct Estimate {
+  double value;
+  double standard_error;
+};
+
+/// Sums over trees of the counts of every order, their squares and the products of neighbours: what the pooled
+/// ratio and its error need. Counts are of nodes or of streams; keep one object for each.
+class OrderTotals {
+ public:
+  /// Orders 0..top of one tree.
+  void add(const HortonStrahler::Counts& counts, std::size_t top);
+  void merge(const OrderTotals& other);
+
+  std::uint64_t trees() const { return trees_; }
+  /// Orders 0..highest() occurred.
+  std::size_t highest() const { return highest_; }
+
+  /// Mean count of order k over the trees.
+  Estimate mean(std::size_t k) const;
+
+  /// pooled_ratio: sum of N_k over sum of N_(k+1), k < highest(); standard error by the delta method over trees (0 for one tree).
+  Estimate pooled_ratio(std::size_t k) const;
+
+ private:
+  double variance_of_mean(const int128& sum_a, const int128& sum_b, const int128& sum_ab) const;
+
+  std::array<int128, HortonStrahler::orders> sums_{};
+  std::array<int128, HortonStrahler::orders> squares_{};
+  std::array<int128, HortonStrahler::orders> neighbours_{};  // N_k N_(k+1)
+  std::uint64_t trees_ = 0;
+  std::size_t highest_ = 0;
+};
+
+}  // namespace ramify

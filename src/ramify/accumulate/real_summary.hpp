@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace ramify {
+
+/// Summary of real numbers, kept in the order they were added: merge blocks in a fixed order and every sum is the same.
+class RealSummary {
+ public:
+  void add(double value) { values_.push_back(value); }
+  void merge(const RealSummary& later) { values_.insert(values_.end(), later.values_.begin(), later.values_.end()); }
+
+  std::uint64_t count() const { return values_.size(); }
+  double mean() const;
+  /// Unbiased, in two passes; 0 for fewer than two values.
+  double variance() const;
+  /// The smallest value v with P(X <= v) >= level for each level, ascending levels in (0,1]. count() >= 1.
+  std::vector<double> quantiles(const std::vector<double>& levels) const;
+
+ private:
+  std::vector<double> values_;
+};
+
+}  // namespace ramify

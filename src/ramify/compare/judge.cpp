@@ -1,0 +1,25 @@
+#include "ramify/compare/judge.hpp"
+
+#include <algorithm>
+
+namespace ramify {
+
+Interval sampling_interval(double estimate, double standard_error) {
+  return {estimate - interval_sigmas * standard_error, estimate + interval_sigmas * standard_error};
+}
+
+Interval growth_interval(const GrowthConstant& growth) {
+  Interval interval = sampling_interval(growth.slope.value, growth.slope.standard_error);
+  interval.lower += std::min(0.0, growth.drift);
+  interval.upper += std::max(0.0, growth.drift);
+  return interval;
+}
+
+Outcome judge(const Interval& interval, double theory, double tolerance) {
+  const Interval band{theory - tolerance, theory + tolerance};
+  if (interval.lower >= band.lower && interval.upper <= band.upper) return Outcome::reproduced;
+  if (interval.upper < band.lower || interval.lower > band.upper) return Outcome::refuted;
+  return Outcome::inconclusive;
+}
+
+}  // namespace ramify

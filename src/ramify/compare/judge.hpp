@@ -1,0 +1,28 @@
+#pragma once
+
+#include "ramify/compare/verdict.hpp"
+#include "ramify/estimate/slope.hpp"
+
+namespace ramify {
+
+/// A closed interval.
+struct Interval {
+  double lower;
+  double upper;
+};
+
+/// Two-sided 99 % of a normal law: the tables have some twenty rows.
+inline constexpr double interval_sigmas = 2.5758293035489004;
+
+/// estimate +- 2.576 standard errors.
+Interval sampling_interval(double estimate, double standard_error);
+
+/// The sampling interval of the slope, stretched by the drift in the direction the slope is moving: a slope that
+/// changed by d between the lower and the upper sizes is not believed to stay put beyond them.
+Interval growth_interval(const GrowthConstant& growth);
+
+/// reproduced where the interval lies inside theory +- tolerance, refuted where it lies wholly outside, else inconclusive.
+/// A pass is thus an interval inside a stated tolerance, never a failure to reject.
+Outcome judge(const Interval& interval, double theory, double tolerance);
+
+}  // namespace ramify

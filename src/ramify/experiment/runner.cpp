@@ -1,0 +1,120 @@
+#include "ramify/experiment/runner.hpp"
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+
+#include "ramify/core/error.hpp"
+#include "ramify/core/parallel.hpp"
+#include "ramify/experiment/cell_accumulator.hpp"
+#include "ramify/statistic/tree_sampler.hpp"
+
+namespace ramify {
+namespace {
+
+/// Trees in a block: about a million nodes, so that the last blocks of a run do not leave threads idle.
+std::uint64_t block_trees(Size n) { return std::clamp<std::uint64_t>((Size{1} << 20) / std::max<Size>(n, 1), 1, 1024); }
+
+struct Block {
+  std::size_t cell;
+  std::uint64_t first, last;  // replicates first..last-1
+  std::size_t index;          // within the cell
+};
+
+/// The blocks of a cell as they come in.
+struct OpenCell {
+  std::vector<std::optional<CellAccumulator>> blocks;
+  std::size_t missing = 0;
+};
+
+class Run {
+ public:
+  Run(const Plan& plan, const std::vector<bool>& wanted, unsigned threads, const Cancellation& cancellation,
+      const RunObserver& observer)
+      : plan_(plan), cancellation_(cancellation), observer_(observer), samplers_(threads), open_(plan.cells.size()) {
+    for (std::size_t c = 0; c < plan.cells.size(); ++c) {
+      if (!wanted[c]) continue;
+      add_blocks(c);
+      add_prototype(plan.cells[c].model);
+    }
+  }
+
+  /// False where it was cancelled: blocks under way are lost, and with them their cells.
+  bool execute() {
+    try {
+      parallel_for(blocks_.size(), static_cast<unsigned>(samplers_.size()),
+                   [this](std::size_t b, unsigned worker) { finish(blocks_[b], grow(blocks_[b], samplers_[worker])); });
+    } catch (const Interrupted&) {
+      return false;
+    }
+    return true;
+  }
+
+ private:
+  using Samplers = std::map<std::string, std::unique_ptr<TreeSampler>>;
+
+  void add_blocks(std::size_t c) {
+    const Cell& cell = plan_.cells[c];
+    const std::uint64_t size = block_trees(cell.n);
+    std::size_t index = 0;
+    for (std::uint64_t first = 0; first < cell.replicates; first += size)
+      blocks_.push_back({c, first, std::min(first + size, cell.replicates), index++});
+    open_[c].blocks.resize(index);
+    open_[c].missing = index;
+  }
+
+  void add_prototype(const Model& model) {
+    auto& prototype = prototypes_[model.text()];
+    if (!prototype) prototype = make_tree_sampler(model, plan_.statistics.needs_full_pass(), cancellation_);
+  }
+
+  CellAccumulator grow(const Block& block, Samplers& samplers) const {
+    const Cell& cell = plan_.cells[block.cell];
+    auto& sampler = samplers[cell.model.text()];
+    if (!sampler) sampler = prototypes_.at(cell.model.text())->clone();
+    const StreamKey key{plan_.seed, cell.model.stream_cell(cell.n)};
+    CellAccumulator sums(plan_.statistics, cell.n);
+    TreeMeasures measures;
+    for (std::uint64_t replicate = block.first; replicate < block.last; ++replicate) {
+      if (cancellation_.requested()) throw Interrupted();
+      sampler->sample(cell.n, key, replicate, measures);
+      sums.add(measures);
+    }
+    return sums;
+  }
+
+  void finish(const Block& block, CellAccumulator sums) {
+    const Cell& cell = plan_.cells[block.cell];
+    const std::lock_guard lock(mutex_);
+    nodes_done_ += static_cast<double>(block.last - block.first) * static_cast<double>(cell.n);
+    OpenCell& open = open_[block.cell];
+    open.blocks[block.index] = std::move(sums);
+    if (observer_.progress) observer_.progress(nodes_done_);
+    if (--open.missing > 0) return;
+    CellAccumulator total(plan_.statistics, cell.n);
+    for (const auto& part : open.blocks) total.merge(*part);
+    open.blocks.clear();
+    if (observer_.cell_done) observer_.cell_done(block.cell, total.result(cell));
+  }
+
+  const Plan& plan_;
+  const Cancellation& cancellation_;
+  const RunObserver& observer_;
+  std::vector<Block> blocks_;
+  Samplers prototypes_;
+  std::vector<Samplers> samplers_;  // one set for each thread
+  std::mutex mutex_;                // guards all below
+  std::vector<OpenCell> open_;
+  double nodes_done_ = 0;
+};
+
+}  // namespace
+
+bool run_cells(const Plan& plan, const std::vector<bool>& wanted, unsigned threads, const Cancellation& cancellation,
+               const RunObserver& observer) {
+  return Run(plan, wanted, threads, cancellation, observer).execute();
+}
+
+}  // namespace ramify

@@ -1,0 +1,78 @@
+#include "ramify/experiment/tree_batch.hpp"
+
+#include <memory>
+#include <vector>
+
+#include "ramify/core/error.hpp"
+#include "ramify/core/number.hpp"
+#include "ramify/core/parallel.hpp"
+#include "ramify/io/csv_writer.hpp"
+#include "ramify/model/split_tree.hpp"
+#include "ramify/random/stream.hpp"
+#include "ramify/statistic/tree_sampler.hpp"
+#include "ramify/tree/parenthesis_word.hpp"
+#include "ramify/tree/store.hpp"
+
+namespace ramify {
+namespace {
+
+std::vector<std::string> format_row(const TreeBatch& batch, std::uint64_t replicate, const StatisticSet& statistics,
+                                    const std::vector<StatisticValue>& values) {
+  std::vector<std::string> row{batch.model.text(), std::to_string(batch.n), std::to_string(batch.seed),
+                               std::to_string(replicate)};
+  std::size_t column = 0;
+  for (const auto* info : statistics.chosen()) {
+    const std::size_t columns = info->per_order ? HortonStrahler::largest_order(batch.n) + 1 : 1;
+    for (std::size_t i = 0; i < columns; ++i, ++column)
+      row.push_back(info->real ? format_summary(values[column].real) : std::to_string(values[column].whole));
+  }
+  return row;
+}
+
+}  // namespace
+
+std::string TreeBatch::table(const StatisticSet& statistics, std::uint64_t first, std::uint64_t last,
+                             const Cancellation& cancellation) const {
+  const StreamKey key{seed, model.stream_cell(n)};
+  const auto prototype = make_tree_sampler(model, statistics.needs_full_pass(), cancellation);
+  struct Worker {
+    std::unique_ptr<TreeSampler> sampler;
+    TreeMeasures measures;
+    std::vector<StatisticValue> values;
+  };
+  std::vector<Worker> workers(threads);
+  for (auto& worker : workers) worker.sampler = prototype->clone();
+  std::vector<std::vector<std::string>> rows(last - first);
+  parallel_for(rows.size(), threads, [&](std::size_t item, unsigned index) {
+    if (cancellation.requested()) throw Interrupted();
+    auto& [sampler, measures, values] = workers[index];
+    sampler->sample(n, key, first + item, measures);
+    write_statistics(statistics, measures, values);
+    rows[item] = format_row(*this, first + item, statistics, values);
+  });
+  std::vector<std::string> header{"model", "n", "seed", "replicate"};
+  for (auto& name : statistics.columns(n)) header.push_back(std::move(name));
+  CsvTable table(std::move(header));
+  for (auto& row : rows) table.add(std::move(row));
+  return table.text();
+}
+
+std::string TreeBatch::words(std::uint64_t first, std::uint64_t last, const Cancellation& cancellation) const {
+  const StreamKey key{seed, model.stream_cell(n)};
+  std::vector<std::string> lines(last - first);
+  std::visit(
+      [&]<class Law>(const Law& law) {
+        const SplitTree<Law> grammar(law);
+        parallel_for(lines.size(), threads, [&](std::size_t item, unsigned) {
+          if (cancellation.requested()) throw Interrupted();
+          Stream stream(key, first + item);
+          lines[item] = to_parentheses(grow_tree(grammar, n, stream));
+        });
+      },
+      model.law());
+  std::string text;
+  for (const auto& line : lines) text.append(line).push_back('\n');
+  return text;
+}
+
+}  // namespace ramify

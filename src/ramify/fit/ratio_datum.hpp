@@ -1,0 +1,62 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ramify/core/error.hpp"
+#include "ramify/fit/ratio_estimator.hpp"
+#include "ramify/tree/grammar.hpp"
+
+namespace ramify {
+
+/// A size at which to fit, and where it comes from.
+struct SizeChoice {
+  Size n;              ///< internal nodes
+  std::string source;  ///< "printed", "counted", "portion", "horton" or "user"
+  std::string note;    ///< "from order 4", else empty
+};
+
+/// A ratio with half a unit of its last printed digit: 1.40 is 1.40 +- 0.005.
+struct PrintedRatio {
+  double value;
+  double rounding;  ///< 0 where it was computed
+};
+
+/// One measured tree, or one published mean, reduced to what a fit of the bifurcation ratio needs.
+struct RatioDatum {
+  std::string name;
+  SourceLocation where;
+  /// What each estimator is to reproduce; none where the data cannot be a value of it. A printed ratio is
+  /// offered to all six, since publications seldom say which they mean; a table of stream counts has its own
+  /// value of each streams estimator.
+  std::array<std::optional<double>, ratio_estimator_count> observed;
+  double ratio;  ///< R of the rule p = 1/R: the printed one, else the mean ratio of the streams
+  std::vector<SizeChoice> sizes;  ///< none where the source prints no size
+  PrintedRatio
+      branching;  ///< R_B of the Murray exponent: the printed one, else the regression over the streams
+  std::optional<PrintedRatio> diameter_ratio;  ///< R_D > 1
+  std::string citation;
+  std::string confidence;
+  std::vector<std::string> warnings;  ///< one line each, for standard error
+};
+
+/// Reads measured data from a CSV file: one datum a row for a table of published ratios (columns name, ratio,
+/// ...; docs/fitting.md), one datum in all for a table of stream counts
+/// (order,count[,diameter,length][,leaf_order]).
+///
+/// Throws Error with file:line:column for a column it does not know (the nearest named), a ratio that is not
+/// above 2 (a stream of order k+1 begins where two of order k meet), orders that do not follow each other,
+/// counts that do not fall.
+std::vector<RatioDatum> read_ratio_data(const std::filesystem::path& path);
+
+/// The same from text; name is used in messages, and names the datum of a count table.
+std::vector<RatioDatum> parse_ratio_data(std::string_view text, std::string_view name);
+
+/// The size of a tree that obeys Horton's first law with orders 1..S: (R^S - 1)/(R - 1), rounded (B12, H5).
+/// Infinite values are cut at 2^62. R > 1, S >= 1
+Size horton_size(double ratio, std::uint64_t orders);
+
+}  // namespace ramify

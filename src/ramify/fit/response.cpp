@@ -1,0 +1,118 @@
+#include "ramify/fit/response.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "ramify/core/contract.hpp"
+#include "ramify/core/error.hpp"
+#include "ramify/core/number.hpp"
+#include "ramify/fit/parallel.hpp"
+#include "ramify/model/registry.hpp"
+#include "ramify/statistic/tree_sampler.hpp"
+
+namespace ramify {
+namespace {
+
+constexpr std::uint64_t trees_of_block = 64;
+constexpr double largest_step = 0.08;
+constexpr double points_of_period = 6;
+
+/// Trees of one request that one thread grows in one go.
+struct Block {
+  std::size_t request;
+  std::uint64_t first;
+  std::uint64_t last;
+};
+
+std::vector<Block> divide(std::span<const ResponseRequest> requests) {
+  std::vector<Block> blocks;
+  for (std::size_t i = 0; i < requests.size(); ++i) {
+    for (std::uint64_t first = 0; first < requests[i].trees; first += trees_of_block)
+      blocks.push_back({i, first, std::min(first + trees_of_block, requests[i].trees)});
+  }
+  return blocks;
+}
+
+/// Linear interpolation between the order statistics (Hyndman and Fan 1996, type 7).
+double quantile(std::span<const double> sorted, double level) {
+  const double place = level * static_cast<double>(sorted.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const std::size_t above = std::min(below + 1, sorted.size() - 1);
+  return std::lerp(sorted[below], sorted[above], place - static_cast<double>(below));
+}
+
+ResponseSummary summarise_column(std::span<double> values) {
+  const double count = static_cast<double>(values.size());
+  double sum = 0;
+  for (const double value : values) sum += value;
+  const double mean = sum / count;
+  double squares = 0;
+  for (const double value : values) squares += (value - mean) * (value - mean);
+  std::sort(values.begin(), values.end());
+  return {mean, std::sqrt(squares / (count - 1) / count), quantile(values, 0.025), quantile(values, 0.975)};
+}
+
+}  // namespace
+
+std::array<ResponseSummary, ratio_estimator_count> summarise(std::span<const RatioValues> rows) {
+  RAMIFY_EXPECTS(rows.size() >= 2);
+  std::array<ResponseSummary, ratio_estimator_count> summary;
+  std::vector<double> column(rows.size());
+  for (std::size_t e = 0; e < ratio_estimator_count; ++e) {
+    std::transform(rows.begin(), rows.end(), column.begin(), [e](const RatioValues& row) { return row[e]; });
+    summary[e] = summarise_column(column);
+  }
+  return summary;
+}
+
+ResponseSurface::ResponseSurface(std::string model, Size n, std::uint64_t seed, unsigned threads,
+                                 const Cancellation& cancellation)
+    : model_(std::move(model)), n_(n), seed_(seed), threads_(threads), cancellation_(&cancellation) {
+  RAMIFY_EXPECTS(n >= 1 && threads >= 1);
+}
+
+std::vector<ResponsePoint> ResponseSurface::sample(std::span<const ResponseRequest> requests) const {
+  std::vector<std::unique_ptr<TreeSampler>> samplers(requests.size());
+  std::vector<StreamKey> keys(requests.size());
+  std::vector<std::vector<RatioValues>> values(requests.size());
+  parallel_for(requests.size(), threads_, [&](std::size_t i) {
+    const Model model = Model::parse(fmt::format("{}({})", model_, format_exact(requests[i].p)));
+    samplers[i] = make_tree_sampler(model, false, *cancellation_);
+    keys[i] = {seed_, model.stream_cell(n_)};
+    values[i].resize(requests[i].trees);
+  });
+  const std::vector<Block> blocks = divide(requests);
+  parallel_for(blocks.size(), threads_, [&](std::size_t b) {
+    // The sampler looks once in a million nodes, but it is a new one for every block.
+    if (cancellation_->requested()) throw Interrupted();
+    const Block& block = blocks[b];
+    const auto sampler = samplers[block.request]->clone();
+    TreeMeasures measures;
+    for (std::uint64_t replicate = block.first; replicate < block.last; ++replicate) {
+      sampler->sample(n_, keys[block.request], replicate, measures);
+      values[block.request][replicate] = ratio_values(measures);
+    }
+  });
+  std::vector<ResponsePoint> points;
+  for (std::size_t i = 0; i < requests.size(); ++i)
+    points.push_back({requests[i].p, requests[i].trees, summarise(values[i])});
+  return points;
+}
+
+double ResponseSurface::grid_step(double p) const {
+  const double period = std::log(p) * std::log(p) / std::log(static_cast<double>(n_) + 1);
+  return std::min(largest_step, period / points_of_period);
+}
+
+std::vector<double> ResponseSurface::grid() const {
+  std::vector<double> grid{0.5};
+  while (grid.back() > lowest_p)
+    grid.push_back(std::max(lowest_p, grid.back() * std::exp(-grid_step(grid.back()))));
+  std::reverse(grid.begin(), grid.end());
+  return grid;
+}
+
+}  // namespace ramify

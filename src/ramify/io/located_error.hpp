@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string_view>
+
+#include "ramify/core/error.hpp"
+
+namespace ramify {
+
+/// "file:line:column: problem (why): what to do".
+Error error_at(const SourceLocation& place, std::string_view problem, std::string_view why,
+               std::string_view remedy);
+
+/// The same error with its place in front: for errors of parts that know nothing of files (Model::parse).
+Error located(const Error& error, const SourceLocation& place);
+
+}  // namespace ramify

@@ -1,0 +1,54 @@
+#include "ramify/law/exact_means.hpp"
+
+#include <algorithm>
+#include <concepts>
+#include <limits>
+
+#include "ramify/core/number.hpp"
+#include "ramify/law/law_limit.hpp"
+
+namespace ramify {
+namespace {
+
+/// k of "nodes_k"; nothing where the column is no such thing.
+std::optional<Size> order_of(std::string_view column, std::string_view prefix) {
+  if (!column.starts_with(prefix)) return std::nullopt;
+  return parse_count(column.substr(prefix.size()));
+}
+
+Moments mean_only(std::span<const double> means, Size k) {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  return {k < means.size() ? means[k] : 0, none};
+}
+
+}  // namespace
+
+ExactMeans::ExactMeans(const Model& model, Size largest_n)
+    : largest_n_(std::min(largest_n, law_limit(model))), rows_(model) {}
+
+/// The law with every size up to n.
+template <class Law>
+const Law& ExactMeans::known(std::optional<Law>& law, Size n) const {
+  if constexpr (std::constructible_from<Law, Size>) {
+    if (!law) law.emplace(largest_n_);
+  } else {
+    if (!law) law.emplace();
+  }
+  while (law->sizes() <= n) law->extend(rows_.row(law->sizes()));
+  return *law;
+}
+
+std::optional<Moments> ExactMeans::moments(std::string_view column, Size n) const {
+  if (n > largest_n_) return std::nullopt;
+  if (column == "size") return Moments{static_cast<double>(n), 0};
+  if (column == "strahler") return known(strahler_, n).moments(n);
+  if (column == "height") return known(height_, n).moments(n);
+  if (column == "depth") return known(depth_, n).moments(n);
+  if (column == "fill_level") return known(fill_level_, n).moments(n);
+  if (column == "balance") return known(balance_, n).moments(n);
+  if (const auto k = order_of(column, "nodes_")) return mean_only(known(orders_, n).nodes(n), *k);
+  if (const auto k = order_of(column, "streams_")) return mean_only(known(orders_, n).streams(n), *k);
+  return std::nullopt;
+}
+
+}  // namespace ramify

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "ramify/law/balance_law.hpp"
+#include "ramify/law/depth_moments.hpp"
+#include "ramify/law/fill_level_law.hpp"
+#include "ramify/law/height_law.hpp"
+#include "ramify/law/moments.hpp"
+#include "ramify/law/order_means.hpp"
+#include "ramify/law/strahler_law.hpp"
+
+namespace ramify {
+
+/// The exact mean and variance of a table's columns, for one model and every n up to the smaller of largest_n
+/// and law_limit(model).
+///
+/// A law is computed when it is first asked for, up to the n asked for, and kept. For use by one thread at a
+/// time.
+class ExactMeans {
+ public:
+  ExactMeans(const Model& model, Size largest_n);
+
+  /// The largest n it answers for.
+  Size largest_n() const { return largest_n_; }
+
+  /// @param column  as in StatisticSet::columns: "strahler", "height", "depth", "fill_level", "balance",
+  /// "size", "nodes_3", "streams_2" Nothing where n > largest_n() or the column has no exact law here.
+  /// nodes_k and streams_k have the mean only.
+  std::optional<Moments> moments(std::string_view column, Size n) const;
+
+ private:
+  template <class Law>
+  const Law& known(std::optional<Law>& law, Size n) const;
+
+  Size largest_n_;
+  mutable StoredSplitRows rows_;
+  mutable std::optional<StrahlerLaw> strahler_;
+  mutable std::optional<HeightLaw> height_;
+  mutable std::optional<DepthMoments> depth_;
+  mutable std::optional<FillLevelLaw> fill_level_;
+  mutable std::optional<BalanceLaw> balance_;
+  mutable std::optional<OrderMeans> orders_;
+};
+
+}  // namespace ramify

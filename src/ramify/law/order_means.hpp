@@ -1,0 +1,38 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "ramify/law/strahler_law.hpp"
+
+namespace ramify {
+
+/// E N_k(n) and E M_k(n): nodes and streams of order k, leaf order 0 (B8, B9).
+///
+/// Both counts of a tree are those of its children, plus one where the root has order k, or begins a stream
+/// of order k (both children of order k-1); N_0 = M_0 = n+1. Relative error about 1e-13. Memory O(n log n),
+/// time O(n^2 log n).
+class OrderMeans {
+ public:
+  explicit OrderMeans(Size largest_n);
+
+  Size sizes() const { return strahler_.sizes(); }
+
+  /// Adds the size row.n == sizes().
+  void extend(const SplitRow& row);
+
+  /// E N_k, k = 0..K, K = floor(log2(largest_n + 1)).
+  std::span<const double> nodes(Size n) const { return {nodes_.data() + n * stride_, stride_}; }
+
+  /// E M_k, k = 0..K.
+  std::span<const double> streams(Size n) const { return {streams_.data() + n * stride_, stride_}; }
+
+  const StrahlerLaw& strahler() const { return strahler_; }
+
+ private:
+  StrahlerLaw strahler_;
+  std::size_t stride_;
+  std::vector<double> nodes_, streams_;
+};
+
+}  // namespace ramify

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace ramify::detail {
+
+/// How a program ended and what it said.
+struct ProgramResult {
+  int exit_code;       ///< 127 where it is not installed; 128 + signal where it was killed
+  std::string output;  ///< the last line it printed that is not empty
+};
+
+/// Runs gnuplot on a script in a folder, so that the pictures land beside it.
+ProgramResult run_gnuplot(const std::filesystem::path& folder, std::string_view script);
+
+}  // namespace ramify::detail

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ramify {
+
+/// A point and the half length of its error bar; 0 or NaN draws none.
+struct PlotPoint {
+  double x;
+  double y;
+  double error = 0;
+};
+
+/// Points of one kind, with one entry in the legend (none where the label is empty).
+struct PlotSeries {
+  enum class Style { points, line, dashed, points_line };
+
+  std::string label;
+  Style style = Style::points;
+  std::vector<PlotPoint> points;
+  /// Place in the palette; by default the series' own place. Give a theory's line the colour of its points.
+  std::optional<std::size_t> color{};
+};
+
+/// A picture of a table: x against y, series by series.
+struct Plot {
+  std::string title;
+  std::string subtitle;  ///< the estimator, the convention, the number of trees
+  std::string x_label;
+  std::string y_label;
+  bool log_x = false;
+  bool log_y = false;
+  std::vector<PlotSeries> series;
+};
+
+/// What became of a plot.
+enum class PlotStatus {
+  drawn,       ///< script, SVG and PNG are there
+  no_points,   ///< nothing to draw: no file was written
+  no_gnuplot,  ///< gnuplot is not installed: the script alone
+  failed,      ///< gnuplot refused or was stopped: the script alone, message says why
+};
+
+struct PlotFiles {
+  PlotStatus status = PlotStatus::drawn;
+  std::string message;  ///< what gnuplot said when it failed
+  std::filesystem::path script, svg, png;
+};
+
+/// Writes stem.gp and has gnuplot draw stem.svg and stem.png (1000 by 640) from it; `gnuplot stem.gp` in that
+/// folder draws them again.
+///
+/// The script holds the data and is the same bytes for the same plot; so are the pictures, by one gnuplot
+/// with the same fonts. Points that are not finite, or not positive on a log axis, are left out. Throws Error
+/// only where the script cannot be written.
+PlotFiles write_plot(const Plot& plot, const std::filesystem::path& folder, std::string_view stem);
+
+}  // namespace ramify

@@ -1,0 +1,119 @@
+#include "ramify/report/verdict_table.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include "ramify/core/contract.hpp"
+#include "ramify/core/number.hpp"
+
+namespace ramify {
+namespace {
+
+constexpr std::size_t gap = 2;
+constexpr std::size_t least_last_width = 24;
+
+/// Characters, not bytes.
+std::size_t length(std::string_view text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
+}
+
+std::vector<std::string_view> words(std::string_view text) {
+  std::vector<std::string_view> found;
+  while (!text.empty()) {
+    const auto end = std::min(text.find(' '), text.size());
+    if (end > 0) found.push_back(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return found;
+}
+
+/// Lines of at most width characters, cut at spaces; a longer word has a line of its own.
+std::vector<std::string> wrapped(std::string_view text, std::size_t width) {
+  std::vector<std::string> lines(1);
+  for (const auto word : words(text)) {
+    if (!lines.back().empty() && length(lines.back()) + 1 + length(word) > width) lines.emplace_back();
+    if (!lines.back().empty()) lines.back() += ' ';
+    lines.back() += word;
+  }
+  return lines;
+}
+
+struct Column {
+  std::size_t width;
+  bool right;
+};
+
+std::vector<Column> measure(const std::vector<std::string>& header,
+                            const std::vector<std::vector<std::string>>& rows) {
+  std::vector<Column> columns;
+  for (std::size_t c = 0; c < header.size(); ++c) {
+    Column column{length(header[c]), false};
+    bool numbers = true, some = false;
+    for (const auto& row : rows) {
+      RAMIFY_EXPECTS(row.size() == header.size());
+      column.width = std::max(column.width, length(row[c]));
+      some = some || !row[c].empty();
+      numbers = numbers && (row[c].empty() || parse_real(row[c]).has_value());
+    }
+    column.right = numbers && some;
+    columns.push_back(column);
+  }
+  return columns;
+}
+
+void limit_last(std::vector<Column>& columns, std::size_t width) {
+  std::size_t before = 0;
+  for (std::size_t c = 0; c + 1 < columns.size(); ++c) before += columns[c].width + gap;
+  const std::size_t room = width > before ? width - before : 0;
+  columns.back().width = std::min(columns.back().width, std::max(room, least_last_width));
+}
+
+void append_line(std::string& text, std::string line) {
+  line.erase(line.find_last_not_of(' ') + 1);
+  text += line + '\n';
+}
+
+void append_row(std::string& text, const std::vector<Column>& columns, const std::vector<std::string>& row) {
+  std::string line;
+  for (std::size_t c = 0; c + 1 < columns.size(); ++c) {
+    const std::string blank(columns[c].width - length(row[c]), ' ');
+    line += columns[c].right ? blank + row[c] : row[c] + blank;
+    line.append(gap, ' ');
+  }
+  const std::size_t indent = length(line);
+  const Column& last = columns.back();
+  for (const auto& part : wrapped(row.back(), last.width)) {
+    const std::size_t size = length(part);
+    if (last.right && size < last.width) line.append(last.width - size, ' ');
+    append_line(text, line + part);
+    line.assign(indent, ' ');
+  }
+}
+
+}  // namespace
+
+std::string text_table(const std::vector<std::string>& header,
+                       const std::vector<std::vector<std::string>>& rows, std::size_t width) {
+  RAMIFY_EXPECTS(!header.empty());
+  std::vector<Column> columns = measure(header, rows);
+  if (width > 0) limit_last(columns, width);
+  std::vector<std::string> rule;
+  for (const auto& column : columns) rule.emplace_back(column.width, '-');
+  std::string text;
+  append_row(text, columns, header);
+  append_row(text, columns, rule);
+  for (const auto& row : rows) append_row(text, columns, row);
+  return text;
+}
+
+std::size_t terminal_width() {
+  winsize size{};
+  if (::isatty(STDOUT_FILENO) == 0 || ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0) return 0;
+  return size.ws_col;
+}
+
+}  // namespace ramify

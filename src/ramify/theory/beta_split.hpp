@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+#include <variant>
+
+#include "ramify/model/registry.hpp"
+
+namespace ramify {
+
+/// The parameters of the limiting split fraction X ~ beta(a,b).
+struct BetaSplit {
+  double a;
+  double b;
+
+  /// Of a beta tree; a bst is beta(1,1). Nothing for any other model.
+  static std::optional<BetaSplit> of(const Model& model) {
+    if (std::holds_alternative<Bst>(model.law())) return BetaSplit{1, 1};
+    if (const auto* beta = std::get_if<Beta>(&model.law())) return BetaSplit{beta->a(), beta->b()};
+    return std::nullopt;
+  }
+};
+
+}  // namespace ramify

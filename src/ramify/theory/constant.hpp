@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+namespace ramify {
+
+/// A constant of a model: one row of `ramify theory`.
+struct Constant {
+  std::string name;     ///< "depth"
+  double value;         ///< of the model whose parameters are the doubles that were read
+  double error;         ///< bound on |value - true value|: the rounding to a double and the error before it
+  std::string formula;  ///< what was computed
+  std::string source;   ///< author year, catalogue number
+};
+
+}  // namespace ramify

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <optional>
+
+#include "ramify/model/registry.hpp"
+#include "ramify/theory/constant.hpp"
+
+namespace ramify {
+
+/// E X, X the limiting fraction of the nodes that go left: beta a/(a+b), bst 1/2, split x, dst and patricia p
+/// (C8). Nothing for catalan: its fraction tends to 0 or 1.
+std::optional<Constant> split_mean(const Model& model);
+
+}  // namespace ramify

@@ -1,0 +1,96 @@
+// Bad input: one clear line on standard error, exit code 2, nothing written.
+#include <gtest/gtest.h>
+
+#include "program.hpp"
+
+namespace ramify::test {
+namespace {
+
+struct Case {
+  const char* name;
+  const char* arguments;
+  const char* says;
+};
+
+class BadInput : public testing::TestWithParam<Case> {};
+
+TEST_P(BadInput, IsOneClearLineAndExitCode2) {
+  const Ran ran = ramify(GetParam().arguments);
+  EXPECT_EQ(ran.code, 2) << ran.err;
+  EXPECT_EQ(ran.out, "");
+  EXPECT_EQ(count_lines(ran.err), 1u) << ran.err;
+  EXPECT_NE(ran.err.find(GetParam().says), std::string::npos) << ran.err;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    CommandLine, BadInput,
+    testing::Values(
+        Case{"UnknownModel", "sample --model bts --n 10", "did you mean bst"},
+        Case{"UnknownStatistic", "sample --model bst --n 10 --statistics strahlr", "did you mean strahler"},
+        Case{"StatisticTwice", "sample --model bst --n 10 --statistics height,height", "given twice"},
+        Case{"UnknownVerb", "sampel --model bst", "did you mean sample"},
+        Case{"UnknownOption", "sample --model bst --n 10 --sizes 3", "--help"},
+        Case{"NoVerb", "", "--help"},
+        Case{"ProbabilityAboveOne", "sample --model 'dst(1.5)' --n 10", "(0,1)"},
+        Case{"ProbabilityZero", "sample --model 'patricia(0)' --n 10", "(0,1)"},
+        Case{"ProbabilityOne", "sample --model 'patricia(1)' --n 10", "(0,1)"},
+        Case{"ParameterNan", "sample --model 'patricia(nan)' --n 10", "not a finite number"},
+        Case{"ParameterInf", "sample --model 'beta(inf,1)' --n 10", "not a finite number"},
+        Case{"ParameterZero", "sample --model 'beta(0,1)' --n 10", "above 0"},
+        Case{"ParameterCount", "sample --model 'beta(1)' --n 10", "takes 2"},
+        Case{"NegativeSize", "sample --model bst --n=-5", "whole number"},
+        Case{"FractionalSize", "sample --model bst --n 10.5", "whole number"},
+        Case{"SizeAbove2To62", "sample --model bst --n 4611686018427387905", "2^62"},
+        Case{"FloorModelAbove2To50", "sample --model 'beta(2,2)' --n 2^51", "reaches every index"},
+        Case{"TooMuchWork", "sample --model bst --n 10000000000000 --replicates 2", "--yes"},
+        Case{"NoTrees", "sample --model bst --n 10 --replicates 0", "no tree"},
+        Case{"NoThreads", "sample --model bst --n 10 --threads 0", "from 1 to 1024"},
+        Case{"UnknownFormat", "sample --model bst --n 10 --format nwk", "parens"},
+        Case{"UnwritableOutput", "sample --model bst --n 10 -o /proc/no/such/file.csv", "/proc/no/such"},
+        Case{"UnwritableFolder", "run configs/quick/catalan_order.toml --out /proc/no/such", "/proc/no/such"},
+        Case{"NoConfig", "run configs/quick/no_such.toml", "no_such.toml"},
+        Case{"UnknownScale", "reproduce --scale medium", "quick"},
+        Case{"UnknownClaim", "reproduce --claim C200", "did you mean C20"},
+        Case{"UnknownList", "list model", "did you mean models"},
+        Case{"UnknownTheoryModel", "theory --model catlan", "did you mean catalan"},
+        Case{"NoDataFile", "fit data/no_such.csv", "no_such.csv"},
+        Case{"UnknownObservable", "fit data/species.csv --observable order", "ratio"}),
+    [](const auto& test) { return test.param.name; });
+
+/// Every refusal of a config names its place in the file.
+TEST(BadConfig, NamesFileLineAndColumn) {
+  const Scratch scratch;
+  const std::string head = "models = [\"bst\"]\nstatistics = [\"strahler\"]\n";
+  const struct {
+    const char* text;
+    const char* says;
+  } cases[] = {
+      {"n = [10]\nreplicates = 5\nstatistcs = []\n", "statistics"},
+      {"n = [10]\nreplicates = \"5\"\n", ":4:"},
+      {"n = []\nreplicates = 5\n", ":3:"},
+      {"n = [0]\nreplicates = 5\n", ":3:"},
+      {"n = [10, 10]\nreplicates = 5\n", ":3:"},
+      {"n = [10.5]\nreplicates = 5\n", ":3:"},
+      {"n = [-1]\nreplicates = 5\n", ":3:"},
+      {"n = [10\nreplicates = 5\n", ":4:"},
+  };
+  for (const auto& c : cases) {
+    const std::string config = scratch.file("bad.toml", head + c.text);
+    const Ran ran = ramify("run " + config + " --out " + (scratch / "runs").string());
+    EXPECT_EQ(ran.code, 2) << c.text;
+    EXPECT_EQ(count_lines(ran.err), 1u) << ran.err;
+    EXPECT_NE(ran.err.find("bad.toml:"), std::string::npos) << ran.err;
+    EXPECT_NE(ran.err.find(c.says), std::string::npos) << c.text << ran.err;
+    EXPECT_FALSE(std::filesystem::exists(scratch / "runs"));
+  }
+}
+
+TEST(BadOutput, AFullDiskIsSaidInOneLine) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+  const Ran ran = shell(std::string(RAMIFY_PROGRAM) + " sample --model bst --n 10 > /dev/full");
+  EXPECT_EQ(ran.code, 2);
+  EXPECT_EQ(count_lines(ran.err), 1u) << ran.err;
+}
+
+}  // namespace
+}  // namespace ramify::test

@@ -1,0 +1,48 @@
+#include "program.hpp"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace ramify::test {
+
+Scratch::Scratch() {
+  std::string pattern = (std::filesystem::temp_directory_path() / "ramify-XXXXXX").string();
+  path_ = mkdtemp(pattern.data());
+}
+
+std::string Scratch::file(const std::string& name, const std::string& content) const {
+  const auto path = path_ / name;
+  std::ofstream(path, std::ios::binary) << content;
+  return path.string();
+}
+
+Ran shell(const std::string& command) {
+  const Scratch scratch;
+  const std::string out = (scratch / "out").string(), err = (scratch / "err").string();
+  std::ostringstream line;
+  line << "cd '" << RAMIFY_SOURCE << "' && { " << command << " ; } >" << out << " 2>" << err << " </dev/null";
+  const int status = std::system(line.str().c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), read_file(out), read_file(err)};
+}
+
+Ran ramify(const std::string& arguments) {
+  std::ostringstream command;
+  command << RAMIFY_PROGRAM << ' ' << arguments;
+  return shell(command.str());
+}
+
+std::string read_file(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream content;
+  content << file.rdbuf();
+  return content.str();
+}
+
+std::size_t count_lines(const std::string& text) {
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+}  // namespace ramify::test

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+namespace ramify::test {
+
+/// What a command printed, and its exit code.
+struct Ran {
+  int code;
+  std::string out;
+  std::string err;
+};
+
+/// A folder of one test's own, removed at the end.
+class Scratch {
+ public:
+  Scratch();
+  ~Scratch() { std::filesystem::remove_all(path_); }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+
+  /// Writes a file into it and returns its path.
+  std::string file(const std::string& name, const std::string& content) const;
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// Runs "ramify <arguments>" through the shell, with the project as working folder.
+Ran ramify(const std::string& arguments);
+
+/// Runs any shell command so.
+Ran shell(const std::string& command);
+
+std::string read_file(const std::filesystem::path& path);
+
+/// Lines of a text.
+std::size_t count_lines(const std::string& text);
+
+}  // namespace ramify::test

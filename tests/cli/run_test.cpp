@@ -1,0 +1,110 @@
+// Runs: the same bytes for any number of threads, nothing lost when stopped, nothing that looks finished and is not.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "program.hpp"
+
+namespace ramify::test {
+namespace {
+
+constexpr const char* small_config = R"(
+models     = ["bst", "beta(0.5,2)", "patricia(1/4.35)", "dst(0.3)", "catalan", "split(0.25)"]
+n          = { from = 10, to = 10000, count = 4 }
+replicates = { to_1e3 = 300, above = 30 }
+statistics = ["size", "strahler", "height", "depth", "fill_level", "balance", "nodes", "streams",
+              "streams_mean_ratio", "nodes_regression", "streams_geometric"]
+)";
+
+std::string run_small(const Scratch& scratch, const std::string& out, const std::string& options) {
+  const std::string config = scratch.file("small.toml", small_config);
+  const Ran ran = ramify("run " + config + " --out " + (scratch / out).string() + " " + options);
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  return (scratch / out / "small").string();
+}
+
+TEST(Run, TablesAreTheSameBytesForOneTwoAndSevenThreads) {
+  const Scratch scratch;
+  const std::string one = run_small(scratch, "one", "--threads 1");
+  for (const char* threads : {"2", "7"}) {
+    const std::string other = run_small(scratch, std::string("t") + threads, std::string("--threads ") + threads);
+    for (const char* table : {"/summary.csv", "/orders.csv", "/histograms.csv"}) {
+      const std::string expected = read_file(one + table);
+      EXPECT_GT(expected.size(), 200u);
+      EXPECT_EQ(expected, read_file(other + table)) << table << " with " << threads << " threads";
+    }
+  }
+}
+
+TEST(Run, AnotherSeedGivesAnotherTable) {
+  const Scratch scratch;
+  const std::string one = run_small(scratch, "one", "");
+  const std::string other = run_small(scratch, "two", "--seed 7");
+  EXPECT_NE(read_file(one + "/summary.csv"), read_file(other + "/summary.csv"));
+}
+
+TEST(Run, SevenThreadsReallyRun) {
+  const Scratch scratch;
+  const std::string config = scratch.file("long.toml",
+                                          "models=[\"bst\"]\nn=[100000]\nreplicates=3000\nstatistics=[\"height\"]\n");
+  const Ran ran = shell(std::string(RAMIFY_PROGRAM) + " run " + config + " --threads 7 --out " + (scratch / "o").string() +
+                        " & sleep 0.7; ls /proc/$!/task | wc -l; kill -INT $!; wait $!; true");
+  EXPECT_EQ(ran.out.substr(0, 1), "7") << ran.out << ran.err;
+}
+
+TEST(Run, ProvenanceSaysHowTheTableWasMade) {
+  const Scratch scratch;
+  const std::string folder = run_small(scratch, "one", "--threads 2");
+  const auto provenance = nlohmann::json::parse(read_file(folder + "/provenance.json"));
+  EXPECT_EQ(provenance.at("status"), "complete");
+  EXPECT_EQ(provenance.at("seed"), 1996);
+  EXPECT_EQ(provenance.at("config_text"), small_config);
+  EXPECT_TRUE(provenance.contains("version") && provenance.contains("compiler") && provenance.contains("duration_seconds"));
+}
+
+TEST(Run, IsSilentOnStandardErrorWhenPipedExceptForItsClosingLines) {
+  const Scratch scratch;
+  const std::string config = scratch.file("small.toml", small_config);
+  const Ran ran = ramify("run " + config + " --out " + (scratch / "o").string());
+  EXPECT_EQ(ran.err.find('\r'), std::string::npos) << "a progress line in a pipe";
+}
+
+TEST(Run, StoppedRunKeepsCompleteCellsAndResumesToTheSameBytes) {
+  const Scratch scratch;
+  const std::string text =
+      "models=[\"bst\"]\nn=[100, 1000, 3000000]\nreplicates=100\nstatistics=[\"strahler\",\"streams\"]\n";
+  const std::string config = scratch.file("slow.toml", text);
+  const std::string out = (scratch / "o").string();
+  const Ran stopped = shell(std::string(RAMIFY_PROGRAM) + " run " + config + " --threads 2 --out " + out +
+                            " & sleep 1; kill -INT $!; s=$(date +%s%N); wait $!; c=$?; e=$(date +%s%N);"
+                            " echo $(( (e - s) / 1000000 )); exit $c");
+  EXPECT_EQ(stopped.code, 130) << stopped.err;
+  EXPECT_LT(std::stoi(stopped.out), 2000) << "milliseconds from Ctrl-C to the end";
+  EXPECT_NE(stopped.err.find("--resume"), std::string::npos) << stopped.err;
+  EXPECT_FALSE(std::filesystem::exists(out + "/slow"));
+  const std::string partial = read_file(out + "/slow.incomplete/summary.csv");
+  EXPECT_NE(partial.find("bst,1000,"), std::string::npos);
+  EXPECT_EQ(partial.find("bst,3000000,"), std::string::npos);
+  EXPECT_NE(read_file(out + "/slow.incomplete/provenance.json").find("interrupted"), std::string::npos);
+
+  const std::string quick = scratch.file("slow.toml", text.substr(0, text.find("3000000")) + "30000]\n" +
+                                                          text.substr(text.find("replicates")));
+  const Ran resumed = ramify("run " + quick + " --resume --out " + out);
+  EXPECT_EQ(resumed.code, 0) << resumed.err;
+  const Ran fresh = ramify("run " + quick + " --out " + (scratch / "fresh").string());
+  EXPECT_EQ(fresh.code, 0) << fresh.err;
+  EXPECT_EQ(read_file(out + "/slow/summary.csv"), read_file(scratch / "fresh/slow/summary.csv"));
+}
+
+TEST(Run, DryRunSaysWhatItWouldCostAndDoesNothing) {
+  const Scratch scratch;
+  const Ran ran = ramify("run configs/quick/bst_order.toml --dry-run --out " + (scratch / "o").string());
+  EXPECT_EQ(ran.code, 0);
+  EXPECT_NE(ran.out.find("nodes"), std::string::npos);
+  EXPECT_NE(ran.out.find("minutes"), std::string::npos);
+  EXPECT_NE(ran.out.find("MB"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(scratch / "o"));
+}
+
+}  // namespace
+}  // namespace ramify::test

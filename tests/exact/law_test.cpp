@@ -1,0 +1,297 @@
+// The exact laws against published exact values and against all trees, weighed one by one.
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "support/definitions.hpp"
+#include "support/shape.hpp"
+#include <gtest/gtest.h>
+
+#include "ramify/law/balance_law.hpp"
+#include "ramify/law/build_law.hpp"
+#include "ramify/law/depth_moments.hpp"
+#include "ramify/law/exact_means.hpp"
+#include "ramify/law/fill_level_law.hpp"
+#include "ramify/law/height_law.hpp"
+#include "ramify/law/law_limit.hpp"
+#include "ramify/law/order_means.hpp"
+#include "ramify/law/strahler_law.hpp"
+
+namespace {
+
+using ramify::ExactMeans;
+using ramify::Model;
+using ramify::Size;
+namespace test = ramify::test;
+
+// Thousands of terms are added one by one: their rounding must stay below the tolerance the laws are held to.
+using Real = long double;
+using Sums = std::vector<Real>;
+using Pmf = std::function<std::vector<double>(Size)>;
+
+Pmf pmf_of(const Model& model) {
+  return [model](Size n) { return std::visit([n](const auto& law) { return law.pmf(n); }, model.law()); };
+}
+
+/// The product over the internal nodes of the probability of their split.
+Real probability(const test::Shape& shape, const Pmf& pmf) {
+  if (shape.is_external()) return 1;
+  const auto &left = shape.children[0], &right = shape.children[1];
+  const Real split = pmf(test::internal_nodes(shape))[test::internal_nodes(left)];
+  return split * probability(left, pmf) * probability(right, pmf);
+}
+
+/// Laws and means over all trees of one size: tests/support has the definitions, nothing of law/ or
+/// statistic/.
+struct Enumerated {
+  Sums strahler, height, fill_level, balance, depth;  // probabilities
+  Sums nodes, streams;                                // means by order
+};
+
+Enumerated enumerate(Size n, const Pmf& pmf) {
+  const Sums zeros(n + 3, 0);
+  Enumerated sums{zeros, zeros, zeros, zeros, zeros, zeros, zeros};
+  for (const test::Shape& shape : test::all_shapes(n)) {
+    const Real p = probability(shape, pmf);
+    sums.strahler[test::strahler(shape)] += p;
+    sums.height[test::height(shape)] += p;
+    sums.fill_level[test::fill_level(shape)] += p;
+    sums.balance[test::balance(shape)] += p;
+    for (const auto& [depth, share] : test::last_node_depth_law(shape)) sums.depth[depth] += p * share;
+    const auto nodes = test::nodes_per_order(shape), streams = test::streams_per_order(shape);
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      sums.nodes[k] += p * static_cast<Real>(nodes[k]);
+      sums.streams[k] += p * static_cast<Real>(streams[k]);
+    }
+  }
+  return sums;
+}
+
+ramify::Moments moments(const Sums& law) {
+  Real mean = 0, square = 0;
+  for (std::size_t k = 0; k < law.size(); ++k) {
+    mean += static_cast<Real>(k) * law[k];
+    square += static_cast<Real>(k * k) * law[k];
+  }
+  return {static_cast<double>(mean), static_cast<double>(square - mean * mean)};
+}
+
+double at(std::span<const double> values, std::size_t k) {
+  return k < values.size() ? values[k] : 0.0;
+}
+
+void expect_near(double law, Real truth, double tolerance, const char* what) {
+  EXPECT_NEAR(law, static_cast<double>(truth), tolerance) << what;
+}
+
+struct Laws {
+  explicit Laws(const Model& model, Size n)
+      : strahler(ramify::build_law(model, n, ramify::StrahlerLaw(n))),
+        balance(ramify::build_law(model, n, ramify::BalanceLaw(n))),
+        fill_level(ramify::build_law(model, n, ramify::FillLevelLaw(n))),
+        height(ramify::build_law(model, n, ramify::HeightLaw())),
+        depth(ramify::build_law(model, n, ramify::DepthMoments())),
+        orders(ramify::build_law(model, n, ramify::OrderMeans(n))) {}
+
+  ramify::StrahlerLaw strahler;
+  ramify::BalanceLaw balance;
+  ramify::FillLevelLaw fill_level;
+  ramify::HeightLaw height;
+  ramify::DepthMoments depth;
+  ramify::OrderMeans orders;
+};
+
+class LawOfModel : public testing::TestWithParam<const char*> {};
+
+TEST_P(LawOfModel, AgreesWithAllTreesToSize8) {
+  constexpr double tolerance = 2e-14;
+  const Model model = Model::parse(GetParam());
+  const Pmf pmf = pmf_of(model);
+  const Laws laws(model, 8);
+  for (Size n = 0; n <= 8; ++n) {
+    const Enumerated truth = enumerate(n, pmf);
+    for (std::size_t k = 0; k < n + 3; ++k) {
+      SCOPED_TRACE(testing::Message() << "n = " << n << ", value " << k);
+      expect_near(at(laws.strahler.pmf(n), k), truth.strahler[k], tolerance, "strahler");
+      expect_near(at(laws.balance.pmf(n), k), truth.balance[k], tolerance, "balance");
+      expect_near(at(laws.fill_level.pmf(n), k), truth.fill_level[k], tolerance, "fill level");
+      const double height_at_k = laws.height.at_most(n, k) - (k == 0 ? 0 : laws.height.at_most(n, k - 1));
+      expect_near(height_at_k, truth.height[k], tolerance, "height");
+      expect_near(at(laws.orders.nodes(n), k), truth.nodes[k], tolerance, "nodes");
+      expect_near(at(laws.orders.streams(n), k), truth.streams[k], tolerance, "streams");
+    }
+    const auto check = [&](ramify::Moments law, const Sums& probabilities) {
+      EXPECT_NEAR(law.mean, moments(probabilities).mean, 10 * tolerance) << "n = " << n;
+      EXPECT_NEAR(law.variance, moments(probabilities).variance, 100 * tolerance) << "n = " << n;
+    };
+    check(laws.strahler.moments(n), truth.strahler);
+    check(laws.balance.moments(n), truth.balance);
+    check(laws.fill_level.moments(n), truth.fill_level);
+    check(laws.height.moments(n), truth.height);
+    check(laws.depth.moments(n), truth.depth);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Exact, LawOfModel,
+                         testing::Values("bst", "beta(2,5)", "beta(0.1,0.1)", "beta(10,80)", "split(0.25)",
+                                         "split(0.7)", "dst(0.23)", "dst(0.9)", "patricia(0.23)",
+                                         "patricia(0.5)", "catalan"));
+
+// The neighbours that the enumeration must tell apart: dst for patricia, nodes for streams, balance for
+// order.
+TEST(Enumeration, TellsNeighboursApart) {
+  constexpr Size n = 8;
+  const Enumerated truth = enumerate(n, pmf_of(Model::parse("patricia(0.23)")));
+  const Laws dst(Model::parse("dst(0.23)"), n);
+  EXPECT_GT(std::abs(dst.strahler.moments(n).mean - moments(truth.strahler).mean), 0.01);
+  EXPECT_GT(std::abs(dst.height.moments(n).mean - moments(truth.height).mean), 0.01);
+  EXPECT_GT(std::abs(dst.depth.moments(n).mean - moments(truth.depth).mean), 0.01);
+  EXPECT_GT(std::abs(static_cast<double>(truth.nodes[1] - truth.streams[1])), 0.01);
+  EXPECT_GT(std::abs(moments(truth.balance).mean - moments(truth.strahler).mean), 0.01);
+}
+
+struct Known {
+  const char* model;
+  const char* column;
+  Size n;
+  double mean;
+  double digits;  // half a unit of the last one printed
+};
+
+class KnownMean : public testing::TestWithParam<Known> {};
+
+TEST_P(KnownMean, IsMet) {
+  const Known& known = GetParam();
+  const auto exact = ExactMeans(Model::parse(known.model), known.n).moments(known.column, known.n);
+  ASSERT_TRUE(exact);
+  EXPECT_NEAR(exact->mean, known.mean, known.digits) << known.model << " " << known.column << " " << known.n;
+}
+
+// Depth and height count nodes here: one more than where edges and internal levels are counted.
+const std::vector<Known> known_means{
+    {"bst", "strahler", 3, 4.0 / 3, 1e-14},
+    {"bst", "strahler", 5, 1.866667, 5e-7},
+    {"bst", "strahler", 100, 4.220366, 5e-7},
+    {"bst", "strahler", 579, 5.903625230898, 5e-13},
+    {"bst", "strahler", 1000, 6.291212049411, 5e-13},
+    {"catalan", "strahler", 10, 2.015956, 5e-7},
+    {"catalan", "strahler", 579, 4.911280122962, 5e-13},
+    {"catalan", "strahler", 1000, 5.235550504910, 5e-13},
+    {"patricia(1/4.35)", "strahler", 10, 2.104855, 5e-7},
+    {"patricia(1/4.35)", "strahler", 579, 5.029477, 5e-7},
+    {"patricia(1/4.35)", "strahler", 2000, 6.004520, 5e-7},
+    {"dst(1/4.35)", "strahler", 10, 2.179458, 5e-7},
+    {"dst(1/4.35)", "strahler", 579, 5.088462, 5e-7},
+    {"dst(0.23)", "strahler", 579, 5.089242, 5e-7},
+    {"dst(1/4.35)", "strahler", 2000, 6.020987, 5e-7},
+    {"bst", "depth", 1000, 12.9709417211 + 1, 5e-11},
+    {"bst", "height", 1000, 22.0395060178 + 1, 5e-11},
+    {"patricia(0.5)", "height", 579, 12.3985 + 1, 5e-5},
+    {"patricia(0.23)", "height", 579, 21.12 + 1, 5e-3},
+    {"dst(0.23)", "height", 579, 19.99 + 1, 5e-3},
+    {"bst", "fill_level", 1000, 4.119673712785, 5e-13},
+    {"bst", "balance", 10, 2.279048, 5e-7},
+    {"bst", "balance", 100, 4.437107, 5e-7},
+    {"bst", "balance", 1000, 6.711966244376, 5e-13},
+    {"catalan", "balance", 1000, 5.587713, 5e-7},
+    {"dst(1/4.35)", "balance", 579, 5.211026, 5e-7},
+    {"dst(1/4.35)", "streams_0", 579, 580, 1e-12},
+    {"dst(1/4.35)", "streams_1", 579, 201.2269, 5e-5},
+    {"dst(1/4.35)", "streams_2", 579, 64.4826, 5e-5},
+    {"dst(1/4.35)", "streams_3", 579, 18.7627, 5e-5},
+    {"dst(1/4.35)", "streams_4", 579, 5.1268, 5e-5},
+    {"dst(1/4.35)", "streams_5", 579, 1.0895, 5e-5},
+    {"dst(1/4.35)", "streams_6", 579, 0.0885, 5e-5},
+    {"bst", "streams_1", 1000, 1001.0 / 3, 1e-10},
+    {"catalan", "streams_1", 1000, 1000.0 * 1001 / (2 * 1999), 1e-10},
+    {"split(1/4.35)", "streams_2", 579, 46, 0},
+    {"split(1/4.35)", "nodes_3", 579, 35, 0},
+    {"split(1/4.35)", "height", 579, 22, 0},
+    {"split(0.25)", "height", 15, 8, 0},
+};
+
+INSTANTIATE_TEST_SUITE_P(Exact, KnownMean, testing::ValuesIn(known_means));
+
+TEST(StrahlerLaw, HasTheKnownProbabilities) {
+  const auto law = ramify::build_law(Model::parse("bst"), 1000, ramify::StrahlerLaw(1000));
+  const std::array<double, 3> at_579{0.103712, 0.888951, 0.007337};
+  for (std::size_t i = 0; i < at_579.size(); ++i) EXPECT_NEAR(law.pmf(579)[5 + i], at_579[i], 5e-7);
+  EXPECT_NEAR(law.law(1000).from[8], 2.06e-7, 5e-10);  // a small tail keeps its relative accuracy
+}
+
+TEST(Laws, DoNotTellBetaWithOneMoreOnTheRightFromTheSymmetricBeta) {
+  // (f(x) + f(1-x))/2 is the same for beta(a,a+1) and beta(a,a): so is every law that is blind to left and
+  // right.
+  constexpr Size n = 150;
+  const ExactMeans skew(Model::parse("beta(2,3)"), n), even(Model::parse("beta(2,2)"), n);
+  for (const char* column : {"strahler", "height", "depth", "fill_level", "balance", "nodes_2", "streams_3"})
+    EXPECT_NEAR(skew.moments(column, n)->mean, even.moments(column, n)->mean, 1e-11) << column;
+  // They are near enough to each other that a third law is needed to show that the comparison can fail.
+  const ExactMeans other(Model::parse("beta(2,4)"), n);
+  EXPECT_GT(std::abs(other.moments("strahler", n)->mean - even.moments("strahler", n)->mean), 1e-3);
+}
+
+TEST(Laws, OfBetaOneOneAreThoseOfTheBst) {
+  constexpr Size n = 300;
+  const ExactMeans beta(Model::parse("beta(1,1)"), n), bst(Model::parse("bst"), n);
+  for (const char* column : {"strahler", "height", "depth", "fill_level", "balance"}) {
+    EXPECT_NEAR(beta.moments(column, n)->mean, bst.moments(column, n)->mean, 1e-12) << column;
+    EXPECT_NEAR(beta.moments(column, n)->variance, bst.moments(column, n)->variance, 1e-11) << column;
+  }
+}
+
+TEST(OrderMeans, CountEveryNodeOnce) {
+  for (const char* text : {"bst", "catalan", "patricia(0.23)"}) {
+    const auto orders = ramify::build_law(Model::parse(text), 500, ramify::OrderMeans(500));
+    double internal = 0;
+    for (std::size_t k = 1; k < orders.nodes(500).size(); ++k) internal += orders.nodes(500)[k];
+    EXPECT_NEAR(internal, 500, 1e-9) << text;
+  }
+}
+
+TEST(HeightLaw, IsADistributionOnThePossibleHeights) {
+  const auto law = ramify::build_law(Model::parse("catalan"), 200, ramify::HeightLaw());
+  EXPECT_EQ(law.at_most(0, 0), 0);
+  EXPECT_EQ(law.at_most(0, 1), 1);
+  EXPECT_EQ(law.at_most(200, 8), 0);  // 200 internal nodes do not fit into 7 levels
+  EXPECT_EQ(law.above(200, 201), 0);
+  for (Size h = 0; h < 201; ++h) EXPECT_GE(law.above(200, h), law.above(200, h + 1)) << h;
+}
+
+TEST(ExactMeans, AnswersInAnyOrderAlike) {
+  const Model model = Model::parse("patricia(0.3)");
+  const ExactMeans down(model, 400), up(model, 300);
+  for (const char* column :
+       {"strahler", "height", "depth", "fill_level", "balance", "nodes_2", "streams_2"}) {
+    down.moments(column, 400);
+    const auto small = up.moments(column, 60);
+    EXPECT_EQ(up.moments(column, 300)->mean, down.moments(column, 300)->mean) << column;
+    EXPECT_EQ(small->mean, down.moments(column, 60)->mean) << column;
+  }
+}
+
+TEST(ExactMeans, SaysWhatItDoesNotKnow) {
+  const ExactMeans exact(Model::parse("bst"), 50);
+  for (const char* column :
+       {"", "strahle", "nodes", "nodes_", "nodes_x", "nodes_mean_ratio", "streams_-1", "width"})
+    EXPECT_FALSE(exact.moments(column, 20)) << column;
+  EXPECT_FALSE(exact.moments("strahler", 51));
+  EXPECT_TRUE(exact.moments("strahler", 50));
+  EXPECT_TRUE(std::isnan(exact.moments("nodes_1", 20)->variance));
+  EXPECT_EQ(exact.moments("nodes_9", 20)->mean, 0);
+  EXPECT_EQ(exact.moments("size", 20)->mean, 20);
+  EXPECT_EQ(exact.moments("size", 20)->variance, 0);
+  EXPECT_EQ(exact.moments("depth", 0)->mean, 0);
+  EXPECT_EQ(exact.moments("height", 0)->mean, 1);
+}
+
+TEST(ExactMeans, StopsAtTheLimitOfItsModel) {
+  const Model model = Model::parse("beta(2,2)");
+  EXPECT_EQ(ExactMeans(model, 1'000'000).largest_n(), ramify::law_limit(model));
+  EXPECT_FALSE(ExactMeans(model, 1'000'000).moments("size", ramify::law_limit(model) + 1));
+}
+
+}  // namespace

@@ -1,0 +1,154 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <boost/multiprecision/cpp_int.hpp>
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ramify/model/registry.hpp"
+#include "support/growing.hpp"
+#include "support/reference_laws.hpp"
+
+namespace ramify {
+namespace {
+
+using boost::multiprecision::cpp_int;
+using boost::multiprecision::cpp_rational;
+
+std::vector<double> pmf_of(const std::string& model, Size n) {
+  return std::visit([&](const auto& law) { return law.pmf(n); }, Model::parse(model).law());
+}
+
+cpp_int choose(unsigned n, unsigned k) {
+  cpp_int result = 1;
+  for (unsigned i = 0; i < k; ++i) result = result * (n - i) / (i + 1);
+  return result;
+}
+
+double to_double(const cpp_rational& ratio) { return static_cast<double>(ratio); }
+
+/// Relative agreement; below 1e-290 a double has lost digits of its own.
+void expect_same_law(const std::vector<double>& law, const std::vector<double>& exact, double tolerance) {
+  ASSERT_EQ(law.size(), exact.size());
+  for (std::size_t i = 0; i < law.size(); ++i) {
+    if (exact[i] < 1e-290) {
+      EXPECT_LT(law[i], 1e-280) << "left = " << i;
+    } else {
+      EXPECT_NEAR(law[i] / exact[i], 1, tolerance) << "left = " << i << " of n = " << law.size();
+    }
+  }
+}
+
+TEST(SplitLaw, SumsToOneForEveryModel) {
+  for (const auto& model : test::all_models()) {
+    for (const Size n : {1u, 2u, 3u, 10u, 100u, 128u, 1000u, 5000u}) {
+      const auto law = pmf_of(model, n);
+      ASSERT_EQ(law.size(), n);
+      long double sum = 0;
+      for (const double p : law) {
+        EXPECT_GE(p, 0);
+        sum += p;
+      }
+      EXPECT_NEAR(static_cast<double>(sum), 1, 1e-14) << model << " at n = " << n;
+    }
+  }
+}
+
+TEST(BstLaw, IsUniform) {
+  for (const Size n : {1u, 2u, 7u, 1000u})
+    for (const double p : pmf_of("bst", n)) EXPECT_EQ(p, 1 / static_cast<double>(n));
+}
+
+TEST(CatalanLaw, IsTheProductOfCatalanNumbers) {
+  const auto catalan = [](unsigned i) { return cpp_int(choose(2 * i, i) / (i + 1)); };
+  for (const unsigned n : {1u, 2u, 3u, 4u, 10u, 50u, 128u, 200u}) {
+    std::vector<double> exact;
+    for (unsigned i = 0; i < n; ++i) exact.push_back(to_double(cpp_rational(catalan(i) * catalan(n - 1 - i), catalan(n))));
+    expect_same_law(pmf_of("catalan", n), exact, 1e-13);
+  }
+  expect_same_law(pmf_of("catalan", 3), {0.4, 0.2, 0.4}, 1e-15);
+}
+
+// p = a/64 is exact in binary, so the law is a ratio of integers.
+TEST(DstLaw, IsBinomialInRationals) {
+  for (const unsigned n : {1u, 2u, 3u, 10u, 60u, 128u}) {
+    for (const unsigned a : {1u, 15u, 32u, 63u}) {
+      std::vector<double> exact;
+      for (unsigned i = 0; i < n; ++i)
+        exact.push_back(to_double(cpp_rational(choose(n - 1, i) * pow(cpp_int(a), i) * pow(cpp_int(64 - a), n - 1 - i),
+                                               pow(cpp_int(64), n - 1))));
+      expect_same_law(pmf_of(fmt::format("dst({}/64)", a), n), exact, 1e-12);
+    }
+  }
+}
+
+TEST(PatriciaLaw, IsTheInnerBinomialInRationals) {
+  for (const unsigned n : {1u, 2u, 3u, 10u, 60u, 128u}) {
+    for (const unsigned a : {1u, 15u, 32u, 63u}) {
+      const cpp_int left = a, right = 64 - a;
+      const cpp_int inner = pow(cpp_int(64), n + 1) - pow(left, n + 1) - pow(right, n + 1);
+      std::vector<double> exact;
+      for (unsigned i = 0; i < n; ++i)
+        exact.push_back(to_double(cpp_rational(choose(n + 1, i + 1) * pow(left, i + 1) * pow(right, n - i), inner)));
+      expect_same_law(pmf_of(fmt::format("patricia({}/64)", a), n), exact, 1e-12);
+    }
+  }
+}
+
+// A13: for n = 3 and p = 1/2 the law is 4/14, 6/14, 4/14 against 1/4, 1/2, 1/4 of the DST.
+TEST(PatriciaLaw, DiffersFromTheDst) {
+  expect_same_law(pmf_of("patricia(1/2)", 3), {4.0 / 14, 6.0 / 14, 4.0 / 14}, 1e-14);
+  expect_same_law(pmf_of("dst(1/2)", 3), {0.25, 0.5, 0.25}, 1e-14);
+}
+
+TEST(BinomialLaws, HoldAtLargeSizes) {
+  for (const double p : {0.001, 0.23, 0.5, 0.99}) {
+    expect_same_law(pmf_of(fmt::format("dst({})", p), 5000), test::dst_law(5000, p), 1e-12);
+    expect_same_law(pmf_of(fmt::format("patricia({})", p), 5000), test::patricia_law(5000, p), 1e-12);
+  }
+}
+
+TEST(BetaLaw, OfOneOneIsTheBst) {
+  for (const Size n : {1u, 2u, 3u, 10u, 128u, 1000u}) expect_same_law(pmf_of("beta(1,1)", n), pmf_of("bst", n), 1e-11);
+}
+
+// Whole a, b: I_x(a,b) = P(Bin(a+b-1, x) >= a), a ratio of integers at x = i/n.
+TEST(BetaLaw, IsABinomialTailForWholeParameters) {
+  const std::vector<std::pair<unsigned, unsigned>> shapes{{1, 1}, {2, 3}, {3, 2}, {10, 80}, {10, 10}, {1, 5}};
+  for (const auto& [a, b] : shapes) {
+    for (const unsigned n : {2u, 3u, 10u, 40u}) {
+      const unsigned m = a + b - 1;
+      std::vector<cpp_int> below(n + 1, 0);  // I_(i/n)(a,b) n^m
+      for (unsigned i = 0; i <= n; ++i)
+        for (unsigned k = a; k <= m; ++k) below[i] += choose(m, k) * pow(cpp_int(i), k) * pow(cpp_int(n - i), m - k);
+      std::vector<double> exact;
+      for (unsigned i = 0; i < n; ++i) exact.push_back(to_double(cpp_rational(below[i + 1] - below[i], pow(cpp_int(n), m))));
+      expect_same_law(pmf_of(fmt::format("beta({},{})", a, b), n), exact, 1e-10);
+    }
+  }
+}
+
+TEST(BetaLaw, IsTheIntegralOfItsDensity) {
+  const std::vector<std::pair<double, double>> shapes{{0.01, 0.01}, {0.1, 0.1}, {0.5, 3}, {0.3, 0.2}, {0.01, 1000}, {10, 0.1}, {1000, 1000}};
+  for (const auto& [a, b] : shapes) {
+    const Model model = Model::parse(fmt::format("beta({},{})", a, b));
+    for (const Size n : {2u, 3u, 10u, 128u, 1000u}) {
+      SCOPED_TRACE(model.text());
+      expect_same_law(std::get<Beta>(model.law()).pmf(n), test::beta_law(n, a, b), 1e-10);
+    }
+  }
+}
+
+TEST(FixedSplitLaw, IsTheFloor) {
+  for (const Size n : {1u, 2u, 3u, 4u, 15u, 579u, 1000u}) {
+    EXPECT_EQ(pmf_of("split(0.25)", n), test::split_law(n, 0.25));
+    EXPECT_EQ(pmf_of("split(0.9)", n), test::split_law(n, 0.9));
+  }
+  EXPECT_EQ(FixedSplit(0.999999).left(1), 0u);
+}
+
+}  // namespace
+}  // namespace ramify

@@ -1,0 +1,144 @@
+#include "support/definitions.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
+#include <utility>
+
+namespace ramify::test {
+namespace {
+
+/// The depths (root = 1) of all external nodes.
+void walk_to_leaves(const Shape& shape, std::size_t depth, std::vector<std::size_t>& depths) {
+  if (shape.is_external()) depths.push_back(depth);
+  for (const Shape& child : shape.children) walk_to_leaves(child, depth + 1, depths);
+}
+
+void visit(const Shape& shape, const std::function<void(const Shape&)>& look) {
+  look(shape);
+  for (const Shape& child : shape.children) visit(child, look);
+}
+
+/// Cuts off every external node, then contracts the nodes left with one child.
+Shape prune(const Shape& shape) {
+  Shape pruned;
+  for (const Shape& child : shape.children)
+    if (!child.is_external()) pruned.children.push_back(prune(child));
+  if (pruned.children.size() == 1) return pruned.children.front();
+  return pruned;
+}
+
+void count_levels(const Shape& shape, std::size_t level, std::vector<std::uint64_t>& counts) {
+  ++counts[level];
+  for (const Shape& child : shape.children) count_levels(child, level + 1, counts);
+}
+
+void walk_edges(const Shape& shape, std::size_t so_far, std::size_t& most) {
+  most = std::max(most, so_far);
+  for (const Shape& child : shape.children) {
+    const bool smallest = std::all_of(shape.children.begin(), shape.children.end(), [&](const Shape& sibling) {
+      return external_nodes(child) <= external_nodes(sibling);
+    });
+    walk_edges(child, so_far + (smallest && shape.children.size() > 1 ? 1 : 0), most);
+  }
+}
+
+void walk_to_last(const Shape& shape, std::size_t depth, double probability, std::map<std::size_t, double>& law) {
+  const double others = static_cast<double>(internal_nodes(shape) - 1);
+  if (others == 0) law[depth] += probability;
+  for (const Shape& child : shape.children)
+    if (!child.is_external())
+      walk_to_last(child, depth + 1, probability * static_cast<double>(internal_nodes(child)) / others, law);
+}
+
+}  // namespace
+
+std::uint64_t internal_nodes(const Shape& shape) {
+  std::uint64_t count = 0;
+  visit(shape, [&](const Shape& node) { count += node.is_external() ? 0 : 1; });
+  return count;
+}
+
+std::uint64_t external_nodes(const Shape& shape) {
+  std::uint64_t count = 0;
+  visit(shape, [&](const Shape& node) { count += node.is_external() ? 1 : 0; });
+  return count;
+}
+
+std::size_t strahler(const Shape& shape) {
+  if (shape.is_external()) return 0;
+  std::vector<std::size_t> below;
+  for (const Shape& child : shape.children) below.push_back(strahler(child));
+  std::sort(below.rbegin(), below.rend());
+  return below.size() > 1 && below[0] == below[1] ? below[0] + 1 : below[0];
+}
+
+std::size_t strahler_by_pruning(const Shape& shape) {
+  Shape rest = shape;
+  std::size_t prunings = 0;
+  for (; !rest.is_external(); ++prunings) rest = prune(rest);
+  return prunings;
+}
+
+std::vector<std::uint64_t> nodes_per_order(const Shape& shape) {
+  std::vector<std::uint64_t> counts(strahler(shape) + 1, 0);
+  visit(shape, [&](const Shape& node) { ++counts[strahler(node)]; });
+  return counts;
+}
+
+std::vector<std::uint64_t> streams_per_order(const Shape& shape) {
+  // A class is a chain, so it has one edge less than it has nodes.
+  std::vector<std::uint64_t> counts = nodes_per_order(shape);
+  visit(shape, [&](const Shape& node) {
+    for (const Shape& child : node.children)
+      if (strahler(child) == strahler(node)) --counts[strahler(node)];
+  });
+  return counts;
+}
+
+std::size_t height(const Shape& shape) {
+  std::vector<std::size_t> depths;
+  walk_to_leaves(shape, 1, depths);
+  return *std::max_element(depths.begin(), depths.end());
+}
+
+std::vector<std::uint64_t> nodes_per_level(const Shape& shape) {
+  std::vector<std::uint64_t> counts(height(shape), 0);
+  count_levels(shape, 0, counts);
+  return counts;
+}
+
+std::size_t fill_level(const Shape& shape) {
+  const auto counts = nodes_per_level(shape);
+  std::size_t level = 0;
+  while (level + 1 < counts.size() && counts[level + 1] == std::uint64_t{1} << (level + 1)) ++level;
+  return level;
+}
+
+std::size_t level_of_first_leaf(const Shape& shape) {
+  std::vector<std::size_t> depths;
+  walk_to_leaves(shape, 1, depths);
+  return *std::min_element(depths.begin(), depths.end()) - 1;
+}
+
+std::size_t balance(const Shape& shape) {
+  std::size_t most = 0;
+  walk_edges(shape, 0, most);
+  return most;
+}
+
+std::map<std::size_t, double> last_node_depth_law(const Shape& shape) {
+  if (shape.is_external()) return {{0, 1.0}};
+  std::map<std::size_t, double> law;
+  walk_to_last(shape, 1, 1.0, law);
+  return law;
+}
+
+double mean_ratio(const std::vector<std::uint64_t>& counts) {
+  double sum = 0;
+  for (std::size_t k = 0; k + 1 < counts.size(); ++k)
+    sum += static_cast<double>(counts[k]) / static_cast<double>(counts[k + 1]);
+  return sum / static_cast<double>(counts.size() - 1);
+}
+
+}  // namespace ramify::test

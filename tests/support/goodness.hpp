@@ -1,0 +1,59 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ramify::test {
+
+/// Every statistical test of ramify: fixed seeds, and a right sampler fails one in a million.
+inline constexpr double alpha = 1e-6;
+
+/// What a test of goodness of fit says.
+struct Goodness {
+  std::string what;
+  double statistic;
+  double degrees;  ///< of freedom; 0 for a z-test
+  double p_value;
+};
+
+/// Passes where p >= alpha. Prints statistic, degrees of freedom and p either way.
+::testing::AssertionResult agrees(const Goodness& goodness);
+
+/// Passes where p < alpha: the negative control.
+::testing::AssertionResult rejected(const Goodness& goodness);
+
+/// Pearson's chi-square of counts against probabilities (scaled to sum 1). Neighbouring cells are pooled until each expects
+/// `least` at least; a count in a cell of probability 0 gives p = 0.
+Goodness chi_square(const std::string& what, std::span<const std::uint64_t> observed,
+                    std::span<const double> probabilities, double least = 5);
+
+/// Counts of the outcomes 0..m-1, and of pairs (order, height) and the like.
+using Tally = std::map<std::pair<std::uint64_t, std::uint64_t>, std::uint64_t>;
+
+/// Pearson's chi-square of homogeneity of two samples; cells with fewer than 10 in both together are pooled.
+Goodness two_samples(const std::string& what, const Tally& a, const Tally& b);
+
+/// Mean and variance of a sample.
+class SampleMean {
+ public:
+  void add(double value);
+  double count() const { return count_; }
+  double mean() const { return mean_; }
+  double standard_error() const;
+
+ private:
+  double count_ = 0;
+  double mean_ = 0;
+  double squares_ = 0;
+};
+
+/// z = (mean - exact) / standard error, two-sided. A sample without spread agrees with its own value only.
+Goodness z_test(const std::string& what, const SampleMean& sample, double exact);
+
+}  // namespace ramify::test

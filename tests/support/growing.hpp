@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ramify/core/cancellation.hpp"
+#include "ramify/model/registry.hpp"
+#include "ramify/model/split_tree.hpp"
+#include "ramify/random/stream.hpp"
+#include "ramify/statistic/balance.hpp"
+#include "ramify/statistic/fill_level.hpp"
+#include "ramify/statistic/height.hpp"
+#include "ramify/statistic/horton_strahler.hpp"
+#include "ramify/statistic/joint.hpp"
+#include "ramify/statistic/last_node_depth.hpp"
+#include "ramify/statistic/tree_measures.hpp"
+#include "ramify/tree/grow.hpp"
+#include "ramify/tree/tree.hpp"
+
+namespace ramify::test {
+
+/// The table sizes under test: every size from the law itself, and the default (small sizes from tables).
+inline constexpr Size no_tables = 0;
+inline constexpr Size default_tables = 128;
+
+/// Every model once, with the parameters that the tests of agreement use.
+const std::vector<std::string>& all_models();
+
+/// Stored trees of a model: source(n, replicate).
+using TreeSource = std::function<Tree(Size n, std::uint64_t replicate)>;
+TreeSource tree_source(std::string_view model, StreamKey key, Size table_size);
+
+/// How often each left size 0..n-1 came in so many draws of the split of a tree of size n.
+std::vector<std::uint64_t> count_splits(std::string_view model, Size n, std::uint64_t draws, std::uint64_t seed,
+                                        Size table_size);
+
+/// Grows trees of any split law, replicates 0, 1, ..., and hands over what was measured; the law need not be a registered
+/// model. look(measures) for each tree.
+template <class Law, class Look>
+void grow_and_measure(const Law& law, Size n, std::uint64_t replicates, std::uint64_t seed, Look look) {
+  using Everything = Joint<LastNodeDepth, Height, HortonStrahler, FillLevel, Balance>;
+  const SplitTree<Law> grammar(law);
+  const Cancellation never;
+  const StreamKey key{seed, n};
+  Grower<SplitTree<Law>, Everything, Stream> grower(never);
+  for (std::uint64_t replicate = 0; replicate < replicates; ++replicate) {
+    Stream stream(key, replicate);
+    Everything fold(LastNodeDepth(Stream(key, replicate, Lane::walk)), Height(), HortonStrahler(), FillLevel(),
+                    Balance());
+    const auto root = grower(grammar, n, stream, fold);
+    TreeMeasures measures;
+    measures.size = n;
+    measures.depth = get<0>(root);
+    measures.height = get<1>(root);
+    measures.strahler = get<2>(root);
+    measures.fill_level = get<3>(root);
+    measures.balance = get<4>(root);
+    measures.nodes = fold.template get<HortonStrahler>().nodes();
+    measures.streams = fold.template get<HortonStrahler>().streams();
+    look(measures);
+  }
+}
+
+}  // namespace ramify::test

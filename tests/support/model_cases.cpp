@@ -1,0 +1,75 @@
+#include "support/model_cases.hpp"
+
+#include <cctype>
+
+#include "support/reference_laws.hpp"
+
+namespace ramify::test {
+namespace {
+
+SplitPmf beta(double a, double b) {
+  return [=](Size n) { return beta_law(n, a, b); };
+}
+SplitPmf short_beta(double a, double b) {
+  return [=](Size n) { return short_beta_law(n, a, b); };
+}
+SplitPmf dst(double p) {
+  return [=](Size n) { return dst_law(n, p); };
+}
+SplitPmf patricia(double p) {
+  return [=](Size n) { return patricia_law(n, p); };
+}
+SplitPmf short_patricia(double p) {
+  return [=](Size n) { return short_patricia_law(n, p); };
+}
+SplitPmf thesis_binomial(double p) {
+  return [=](Size n) { return thesis_binomial_law(n, p); };
+}
+SplitPmf split(double x) {
+  return [=](Size n) { return split_law(n, x); };
+}
+
+std::vector<ModelCase> floor_models() {
+  return {
+      {"bst", uniform_law, {{"left = 0..n-2", short_uniform_law}, {"catalan", catalan_law}}, {}},
+      {"beta(1,1)", uniform_law, {{"beta(1,1.1)", beta(1, 1.1)}}, {{"(n-1)X", short_beta(1, 1)}}},
+      {"beta(10,80)", beta(10, 80), {{"a and b swapped", beta(80, 10)}}, {{"(n-1)X", short_beta(10, 80)}}},
+      {"beta(2,5)", beta(2, 5), {{"a and b swapped", beta(5, 2)}}, {{"(n-1)X", short_beta(2, 5)}}},
+      {"beta(0.3,0.2)", beta(0.3, 0.2), {{"a and b swapped", beta(0.2, 0.3)}}, {{"(n-1)X", short_beta(0.3, 0.2)}}},
+      {"beta(0.01,0.01)", beta(0.01, 0.01), {{"b doubled", beta(0.01, 0.02)}}, {}},
+      {"beta(1000,1000)", beta(1000, 1000), {{"a one too many in 100", beta(1010, 1000)}}, {{"(n-1)X", short_beta(1000, 1000)}}},
+      {"split(0.25)", split(0.25), {{"1-x", split(0.75)}}, {}},
+  };
+}
+
+std::vector<ModelCase> string_models() {
+  return {
+      {"dst(0.23)", dst(0.23), {{"patricia", patricia(0.23)}, {"1-p", dst(0.77)}}, {{"Bin(n,p)", thesis_binomial(0.23)}}},
+      {"dst(1/2)", dst(0.5), {{"p = 0.49", dst(0.49)}}, {{"patricia", patricia(0.5)}, {"Bin(n,p)", thesis_binomial(0.5)}}},
+      {"dst(0.01)", dst(0.01), {{"1-p", dst(0.99)}}, {{"patricia", patricia(0.01)}}},
+      {"patricia(1/4.35)", patricia(1 / 4.35), {{"dst", dst(1 / 4.35)}, {"1-p", patricia(1 - 1 / 4.35)}},
+       {{"n strings", short_patricia(1 / 4.35)}}},
+      {"patricia(0.7)", patricia(0.7), {{"1-p", patricia(0.3)}}, {{"dst", dst(0.7)}, {"n strings", short_patricia(0.7)}}},
+      {"patricia(0.001)", patricia(0.001), {{"dst", dst(0.001)}, {"1-p", patricia(0.999)}}, {{"n strings", short_patricia(0.001)}}},
+      {"catalan", catalan_law, {{"bst", uniform_law}, {"C_i C_(n-2-i)", short_catalan_law}}, {}},
+  };
+}
+
+}  // namespace
+
+const std::vector<ModelCase>& model_cases() {
+  static const std::vector<ModelCase> cases = [] {
+    auto all = floor_models();
+    for (auto& model : string_models()) all.push_back(model);
+    return all;
+  }();
+  return cases;
+}
+
+std::string name_of(const ModelCase& model) {
+  std::string name;
+  for (const char c : model.model) name += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
+  return name;
+}
+
+}  // namespace ramify::test

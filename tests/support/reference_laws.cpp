@@ -1,0 +1,115 @@
+#include "support/reference_laws.hpp"
+
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace ramify::test {
+namespace {
+
+using Real = boost::multiprecision::cpp_bin_float_50;
+
+std::vector<double> scaled(const std::vector<Real>& weights) {
+  Real sum = 0;
+  for (const Real& w : weights) sum += w;
+  std::vector<double> law;
+  for (const Real& w : weights) law.push_back(static_cast<double>(w / sum));
+  return law;
+}
+
+/// C(m,k) p^k q^(m-k), k = 0..m; 50 digits have the exponents for it.
+std::vector<Real> binomial(Size m, double p) {
+  const Real left = p, right = 1 - Real(p);
+  std::vector<Real> weights{boost::multiprecision::pow(right, static_cast<int>(m))};
+  for (Size k = 0; k < m; ++k) weights.push_back(weights.back() * Real(m - k) / Real(k + 1) * left / right);
+  return weights;
+}
+
+/// The weights 1..m-1 of Binomial(m, p).
+std::vector<double> inner_binomial(Size m, double p) {
+  const auto all = binomial(m, p);
+  return scaled(std::vector<Real>(all.begin() + 1, all.end() - 1));
+}
+
+/// Integral of x^(a-1) (1-x)^(b-1) over [from, to], to <= 1/2 or so: only the end at 0 is singular.
+double beta_piece(double a, double b, double from, double to) {
+  using boost::math::quadrature::gauss_kronrod;
+  // The rule's own error bound is far above its error: asked for 1e-9, it reaches 1e-13 (tests/exact).
+  constexpr unsigned depth = 10;
+  constexpr double tolerance = 1e-9;
+  if (from > 0 || a >= 1) {
+    // The density at the middle is taken out, or the integral underflows for a = b = 1000.
+    const auto density = [&](double x) { return std::exp((a - 1) * std::log(2 * x) + (b - 1) * std::log(2 * (1 - x))); };
+    return gauss_kronrod<double, 61>::integrate(density, from, to, depth, tolerance);
+  }
+  // u = x^a takes the singularity away.
+  const auto density = [&](double u) { return std::pow(1 - std::pow(u, 1 / a), b - 1) / a; };
+  const double scale = std::exp((a - 1) * std::log(2.0) + (b - 1) * std::log(2.0));
+  return scale * gauss_kronrod<double, 61>::integrate(density, 0.0, std::pow(to, a), depth, tolerance);
+}
+
+std::vector<double> appended_zero(std::vector<double> law) {
+  law.push_back(0);
+  return law;
+}
+
+}  // namespace
+
+std::vector<double> uniform_law(Size n) { return std::vector<double>(n, 1 / static_cast<double>(n)); }
+
+std::vector<double> split_law(Size n, double x) {
+  std::vector<double> law(n, 0.0);
+  for (Size i = 0; i < n; ++i)
+    if (static_cast<double>(i) <= x * static_cast<double>(n) && x * static_cast<double>(n) < static_cast<double>(i + 1))
+      law[i] = 1;
+  return law;
+}
+
+std::vector<double> beta_law(Size n, double a, double b) {
+  const double size = static_cast<double>(n);
+  if (n == 1) return {1.0};
+  std::vector<double> law(n);
+  for (Size i = 0; i < n; ++i) {
+    const double from = static_cast<double>(i) / size, to = static_cast<double>(i + 1) / size;
+    // From the nearer end: mirrored above 1/2.
+    law[i] = from + to <= 1 ? beta_piece(a, b, from, to)
+                            : beta_piece(b, a, static_cast<double>(n - 1 - i) / size, static_cast<double>(n - i) / size);
+  }
+  const double sum = std::accumulate(law.begin(), law.end(), 0.0);
+  for (double& p : law) p /= sum;
+  return law;
+}
+
+std::vector<double> catalan_law(Size n) {
+  std::vector<Real> numbers{1};  // C_i
+  for (Size i = 0; i + 1 < n; ++i) numbers.push_back(numbers.back() * Real(2 * (2 * i + 1)) / Real(i + 2));
+  std::vector<Real> weights;
+  for (Size i = 0; i < n; ++i) weights.push_back(numbers[i] * numbers[n - 1 - i]);
+  return scaled(weights);
+}
+
+std::vector<double> dst_law(Size n, double p) { return scaled(binomial(n - 1, p)); }
+
+std::vector<double> patricia_law(Size n, double p) { return inner_binomial(n + 1, p); }
+
+std::vector<double> thesis_binomial_law(Size n, double p) {
+  auto weights = binomial(n, p);
+  weights.pop_back();
+  return scaled(weights);
+}
+
+std::vector<double> short_uniform_law(Size n) { return n == 1 ? uniform_law(1) : appended_zero(uniform_law(n - 1)); }
+
+std::vector<double> short_beta_law(Size n, double a, double b) {
+  return n == 1 ? uniform_law(1) : appended_zero(beta_law(n - 1, a, b));
+}
+
+std::vector<double> short_patricia_law(Size n, double p) {
+  return n == 1 ? uniform_law(1) : appended_zero(inner_binomial(n, p));
+}
+
+std::vector<double> short_catalan_law(Size n) { return n == 1 ? uniform_law(1) : appended_zero(catalan_law(n - 1)); }
+
+}  // namespace ramify::test

@@ -1,0 +1,129 @@
+#include "support/second_constructions.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "ramify/random/uniform.hpp"
+
+namespace ramify::test {
+namespace {
+
+/// Bits of a random string, drawn when they are first looked at; true = left.
+class BitString {
+ public:
+  bool bit(std::size_t i, double p, Stream& stream) {
+    while (bits_.size() <= i) bits_.push_back(uniform_open(stream) < p);
+    return bits_[i];
+  }
+
+ private:
+  std::vector<bool> bits_;
+};
+
+/// The contracted trie of strings[first..last), which agree in their first `level` bits; the number of its root.
+int contract_trie(std::vector<BitString>& strings, std::size_t first, std::size_t last, std::size_t level, double p,
+                  Stream& stream, LinkedTree& tree) {
+  if (last - first == 1) return -1;
+  const auto begin = strings.begin() + static_cast<std::ptrdiff_t>(first);
+  const auto end = strings.begin() + static_cast<std::ptrdiff_t>(last);
+  const auto middle = std::partition(begin, end, [&](BitString& s) { return s.bit(level, p, stream); });
+  if (middle == begin || middle == end) return contract_trie(strings, first, last, level + 1, p, stream, tree);
+  const auto split = static_cast<std::size_t>(middle - strings.begin());
+  const int node = static_cast<int>(tree.nodes.size());
+  tree.nodes.emplace_back();
+  const int left = contract_trie(strings, first, split, level + 1, p, stream, tree);
+  const int right = contract_trie(strings, split, last, level + 1, p, stream, tree);
+  tree.nodes[static_cast<std::size_t>(node)] = {left, right};
+  return node;
+}
+
+/// Goes down from the root as goes_left(node, level) says and hangs node `next` into the first free place.
+template <class GoesLeft>
+void insert(LinkedTree& tree, GoesLeft goes_left) {
+  const int added = static_cast<int>(tree.nodes.size());
+  int* place = &tree.root;
+  for (std::size_t level = 0; *place != -1; ++level) {
+    auto& node = tree.nodes[static_cast<std::size_t>(*place)];
+    place = goes_left(*place, level) ? &node.left : &node.right;
+  }
+  *place = added;
+  tree.nodes.emplace_back();
+}
+
+int grow_by_order_statistics(std::size_t n, std::size_t a, std::size_t b, Stream& stream, LinkedTree& tree) {
+  if (n == 0) return -1;
+  std::vector<double> uniforms(a + b - 1);
+  for (double& u : uniforms) u = uniform_open(stream);
+  std::sort(uniforms.begin(), uniforms.end());
+  const auto left_size = static_cast<std::size_t>(static_cast<double>(n) * uniforms[a - 1]);
+  const int node = static_cast<int>(tree.nodes.size());
+  tree.nodes.emplace_back();
+  const int left = grow_by_order_statistics(left_size, a, b, stream, tree);
+  const int right = grow_by_order_statistics(n - 1 - left_size, a, b, stream, tree);
+  tree.nodes[static_cast<std::size_t>(node)] = {left, right};
+  return node;
+}
+
+OrderAndHeight look_below(const LinkedTree& tree, int node) {
+  if (node == -1) return {0, 1};
+  const auto& children = tree.nodes[static_cast<std::size_t>(node)];
+  const OrderAndHeight left = look_below(tree, children.left), right = look_below(tree, children.right);
+  const std::size_t order = left.order == right.order ? left.order + 1 : std::max(left.order, right.order);
+  return {order, 1 + std::max(left.height, right.height)};
+}
+
+}  // namespace
+
+LinkedTree bst_by_insertion(std::size_t n, Stream& stream) {
+  std::vector<std::size_t> keys(n);
+  std::iota(keys.begin(), keys.end(), std::size_t{0});
+  for (std::size_t i = n; i > 1; --i) std::swap(keys[i - 1], keys[uniform_below(stream, i)]);
+  LinkedTree tree;
+  for (const std::size_t key : keys)
+    insert(tree, [&](int node, std::size_t) { return key < keys[static_cast<std::size_t>(node)]; });
+  return tree;
+}
+
+LinkedTree dst_by_insertion(std::size_t n, double p, Stream& stream) {
+  LinkedTree tree;
+  for (std::size_t i = 0; i < n; ++i) {
+    BitString string;
+    insert(tree, [&](int, std::size_t level) { return string.bit(level, p, stream); });
+  }
+  return tree;
+}
+
+LinkedTree patricia_of_strings(std::size_t n, double p, Stream& stream) {
+  std::vector<BitString> strings(n + 1);
+  LinkedTree tree;
+  tree.root = contract_trie(strings, 0, n + 1, 0, p, stream, tree);
+  return tree;
+}
+
+LinkedTree catalan_by_remy(std::size_t n, Stream& stream) {
+  // Knuth's algorithm R (TAOCP 4A, 7.2.1.6): L[0] is the root; odd numbers are internal nodes, even ones external.
+  std::vector<std::size_t> links(2 * n + 1, 0);
+  for (std::size_t k = 1; k <= n; ++k) {
+    const std::size_t x = uniform_below(stream, 4 * k - 2);
+    const std::size_t side = x % 2, chosen = x / 2;
+    links[2 * k - side] = 2 * k;
+    links[2 * k - 1 + side] = links[chosen];
+    links[chosen] = 2 * k - 1;
+  }
+  const auto number = [](std::size_t link) { return link % 2 == 1 ? static_cast<int>(link / 2) : -1; };
+  LinkedTree tree;
+  tree.root = number(links[0]);
+  for (std::size_t i = 0; i < n; ++i) tree.nodes.push_back({number(links[2 * i + 1]), number(links[2 * i + 2])});
+  return tree;
+}
+
+LinkedTree beta_by_order_statistics(std::size_t n, std::size_t a, std::size_t b, Stream& stream) {
+  LinkedTree tree;
+  tree.root = grow_by_order_statistics(n, a, b, stream, tree);
+  return tree;
+}
+
+OrderAndHeight order_and_height(const LinkedTree& tree) { return look_below(tree, tree.root); }
+
+}  // namespace ramify::test

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "ramify/random/stream.hpp"
+
+namespace ramify::test {
+
+/// A binary tree as it is built by insertion: internal nodes by number, -1 where a child is external.
+struct LinkedTree {
+  struct Node {
+    int left = -1;
+    int right = -1;
+  };
+  std::vector<Node> nodes;
+  int root = -1;
+};
+
+// The models once more, by what they are defined by rather than by their split law.
+
+/// A random permutation of n keys inserted into a binary search tree (A14).
+LinkedTree bst_by_insertion(std::size_t n, Stream& stream);
+
+/// n random bit strings inserted into a digital search tree: a string goes down by its own bits, left with probability p,
+/// and takes the first free place (A11).
+LinkedTree dst_by_insertion(std::size_t n, double p, Stream& stream);
+
+/// The trie of n+1 random bit strings, its one-child nodes contracted (A12, A13).
+LinkedTree patricia_of_strings(std::size_t n, double p, Stream& stream);
+
+/// Remy's algorithm (1985): a new leaf grows out of a uniformly chosen node, on a uniformly chosen side (A15, A16).
+LinkedTree catalan_by_remy(std::size_t n, Stream& stream);
+
+/// Floor split tree with X the a-th smallest of a+b-1 uniforms, which is beta(a,b); whole a, b >= 1 (A8).
+LinkedTree beta_by_order_statistics(std::size_t n, std::size_t a, std::size_t b, Stream& stream);
+
+/// Horton-Strahler order and height, by the definitions.
+struct OrderAndHeight {
+  std::size_t order;
+  std::size_t height;
+};
+OrderAndHeight order_and_height(const LinkedTree& tree);
+
+}  // namespace ramify::test

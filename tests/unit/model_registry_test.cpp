@@ -1,0 +1,122 @@
+#include "ramify/model/registry.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+#include <variant>
+
+#include "ramify/core/error.hpp"
+
+namespace ramify {
+namespace {
+
+std::string refusal(std::string_view text) {
+  try {
+    Model::parse(text);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+::testing::AssertionResult says(const std::string& message, std::string_view part) {
+  if (message.find('\n') != std::string::npos) return ::testing::AssertionFailure() << "more than one line: " << message;
+  if (message.find(part) == std::string::npos) return ::testing::AssertionFailure() << message << " without " << part;
+  return ::testing::AssertionSuccess();
+}
+
+TEST(Model, ReadsEveryModel) {
+  EXPECT_TRUE(std::holds_alternative<Bst>(Model::parse("bst").law()));
+  EXPECT_TRUE(std::holds_alternative<Catalan>(Model::parse("catalan").law()));
+  const Model beta = Model::parse(" beta( 10, 80 ) ");
+  EXPECT_EQ(beta.text(), "beta(10,80)");
+  EXPECT_EQ(beta.name(), "beta");
+  EXPECT_EQ(beta.parameters(), (std::vector<double>{10, 80}));
+  EXPECT_EQ(std::get<Beta>(beta.law()).b(), 80);
+  EXPECT_EQ(std::get<Patricia>(Model::parse("patricia(1/4.35)").law()).p(), 1 / 4.35);
+  EXPECT_EQ(std::get<Dst>(Model::parse("dst(0.23)").law()).p(), 0.23);
+  EXPECT_EQ(std::get<FixedSplit>(Model::parse("split(0.25)").law()).x(), 0.25);
+}
+
+TEST(Model, RefusesAnUnknownNameWithTheNearest) {
+  EXPECT_TRUE(says(refusal("patrica(0.3)"), "did you mean patricia?"));
+  EXPECT_TRUE(says(refusal("dts(0.3)"), "did you mean dst"));
+  EXPECT_TRUE(says(refusal("quadtree"), "unknown model 'quadtree'"));
+  EXPECT_TRUE(says(refusal(""), "unknown model ''"));
+  EXPECT_TRUE(says(refusal("BST"), "unknown model 'BST'"));
+}
+
+TEST(Model, RefusesAWrongNumberOfParameters) {
+  EXPECT_TRUE(says(refusal("bst(1)"), "bst takes 0"));
+  EXPECT_TRUE(says(refusal("beta(10)"), "beta takes 2"));
+  EXPECT_TRUE(says(refusal("beta"), "write beta(a,b)"));
+  EXPECT_TRUE(says(refusal("beta(1,2,3)"), "beta takes 2"));
+  EXPECT_TRUE(says(refusal("dst"), "dst takes 1"));
+  EXPECT_TRUE(says(refusal("patricia(0.2,0.3)"), "patricia takes 1"));
+  EXPECT_TRUE(says(refusal("catalan(0.5)"), "catalan takes 0"));
+  EXPECT_TRUE(says(refusal("beta(10,80"), "a '(' without its ')'"));
+}
+
+TEST(Model, RefusesAParameterThatIsNoNumber) {
+  for (const char* text : {"dst(x)", "dst()", "dst(nan)", "dst(inf)", "dst(-inf)", "dst(1/0)", "beta(1,inf)", "beta(nan,1)", "beta(1,)",
+                           "patricia(0.2x)", "split(1e999)", "dst(0.2))", "beta(1e308/1e-308,1)"})
+    EXPECT_TRUE(says(refusal(text), "not a finite number")) << text;
+}
+
+TEST(Model, RefusesAParameterOutOfItsDomain) {
+  for (const char* model : {"dst", "patricia", "split"})
+    for (const char* value : {"0", "1", "-0.1", "1.5", "2/1", "-0"})
+      EXPECT_TRUE(says(refusal(std::string(model) + "(" + value + ")"), "must lie in (0,1)")) << model << value;
+  for (const char* text : {"beta(0,1)", "beta(1,0)", "beta(-1,1)", "beta(1,-2)"})
+    EXPECT_TRUE(says(refusal(text), "must be a finite number above 0")) << text;
+  EXPECT_EQ(refusal("beta(0.01,1000)"), "accepted");
+}
+
+TEST(Model, RefusesSizesItCannotDraw) {
+  const Size limit = Size{1} << 50;
+  for (const char* text : {"beta(2,3)", "split(0.3)", "dst(0.3)", "patricia(0.3)", "catalan"}) {
+    const Model model = Model::parse(text);
+    EXPECT_EQ(model.largest_size(), limit);
+    EXPECT_NO_THROW(model.require_size(limit));
+    EXPECT_THROW(model.require_size(limit + 1), Error);
+  }
+  const Model bst = Model::parse("bst");
+  EXPECT_NO_THROW(bst.require_size(Size{1} << 62));
+  EXPECT_THROW(bst.require_size((Size{1} << 62) + 1), Error);
+}
+
+TEST(Model, HashesValuesNotSpelling) {
+  EXPECT_EQ(Model::parse("patricia(0.25)").stream_cell(100), Model::parse(" patricia( 1/4 )").stream_cell(100));
+  EXPECT_EQ(Model::parse("beta(10,80)").stream_cell(5), Model::parse("beta(1e1,80.0)").stream_cell(5));
+  EXPECT_EQ(Model::parse("patricia(0.25)"), Model::parse("patricia(1/4)"));
+}
+
+TEST(Model, HasACellOfItsOwnForEverySize) {
+  std::set<std::uint64_t> cells;
+  std::size_t asked = 0;
+  for (const char* text : {"bst", "catalan", "dst(0.25)", "dst(0.75)", "patricia(0.25)", "split(0.25)", "beta(1,11)", "beta(11,1)",
+                           "beta(1,1)", "patricia(0.2500000000000001)"})
+    for (const Size n : {0u, 1u, 10u, 11u, 100u, 110u, 1000000u}) {
+      cells.insert(Model::parse(text).stream_cell(n));
+      ++asked;
+    }
+  EXPECT_EQ(cells.size(), asked);
+}
+
+TEST(Models, AreListedOnceEachWithTheirSource) {
+  std::set<std::string_view> names;
+  for (const auto& info : models()) {
+    EXPECT_TRUE(names.insert(info.name).second);
+    EXPECT_FALSE(info.source.empty());
+    EXPECT_FALSE(info.n_counts.empty());
+  }
+  EXPECT_EQ(names, (std::set<std::string_view>{"bst", "beta", "split", "dst", "patricia", "catalan"}));
+  for (const auto& info : models())
+    if (info.name == "beta") {
+      EXPECT_EQ(info.signature(), "beta(a,b)");
+    }
+}
+
+}  // namespace
+}  // namespace ramify

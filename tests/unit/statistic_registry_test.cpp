@@ -1,0 +1,92 @@
+#include "ramify/statistic/registry.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "ramify/core/error.hpp"
+#include "ramify/statistic/tree_sampler.hpp"
+
+namespace ramify {
+namespace {
+
+using Names = std::vector<std::string>;
+
+std::string refusal(const Names& names) {
+  try {
+    StatisticSet::parse(names);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(StatisticSet, RefusesWhatItDoesNotKnow) {
+  EXPECT_NE(refusal({"stralher"}).find("did you mean strahler?"), std::string::npos);
+  EXPECT_NE(refusal({"zzzzzzzz"}).find("unknown statistic 'zzzzzzzz'"), std::string::npos);
+  EXPECT_NE(refusal({"height", "height"}).find("given twice"), std::string::npos);
+  EXPECT_NE(refusal({}).find("no statistic"), std::string::npos);
+}
+
+TEST(StatisticSet, NamesItsColumnsBySizeAlone) {
+  const auto set = StatisticSet::parse(Names{"height", "streams", "strahler"});
+  EXPECT_EQ(set.columns(0), (Names{"height", "streams_0", "strahler"}));
+  EXPECT_EQ(set.columns(7), (Names{"height", "streams_0", "streams_1", "streams_2", "streams_3", "strahler"}));
+  EXPECT_TRUE(set.contains("streams"));
+  EXPECT_FALSE(set.contains("nodes"));
+}
+
+TEST(StatisticSet, AsksForTheFullPassOnlyWhereItMust) {
+  EXPECT_FALSE(StatisticSet::parse(Names{"size", "strahler", "height", "nodes", "streams"}).needs_full_pass());
+  for (const char* name : {"depth", "fill_level", "balance"}) EXPECT_TRUE(StatisticSet::parse(Names{name}).needs_full_pass());
+}
+
+TEST(Statistics, HaveEachADifferentName) {
+  std::set<std::string_view> names;
+  for (const auto& info : statistics()) {
+    EXPECT_TRUE(names.insert(info.name).second) << info.name;
+    EXPECT_FALSE(info.convention.empty());
+    EXPECT_FALSE(info.source.empty());
+  }
+  for (const char* name : {"size", "strahler", "height", "depth", "fill_level", "balance", "nodes", "streams"})
+    EXPECT_TRUE(names.contains(name)) << name;
+}
+
+// split(0.25), n = 15 is a fixed tree (A6): N = 16,11,4, streams 16,5,1, height 8.
+TEST(WriteStatistics, WritesEveryColumnInOrder) {
+  const Cancellation never;
+  const auto sampler = make_tree_sampler(Model::parse("split(0.25)"), true, never);
+  TreeMeasures measures;
+  sampler->sample(15, {0, 0}, 0, measures);
+  const auto set = StatisticSet::parse(Names{"streams", "size", "nodes", "height", "nodes_mean_ratio", "streams_geometric"});
+  std::vector<StatisticValue> row;
+  write_statistics(set, measures, row);
+  ASSERT_EQ(row.size(), set.columns(15).size());
+  std::vector<std::int64_t> whole;
+  for (std::size_t i = 0; i < 12; ++i) whole.push_back(row[i].whole);
+  EXPECT_EQ(whole, (std::vector<std::int64_t>{16, 5, 1, 0, 0, 15, 16, 11, 4, 0, 0, 8}));
+  EXPECT_NEAR(row[12].real, (16.0 / 11 + 11.0 / 4) / 2, 1e-14);
+  EXPECT_NEAR(row[13].real, 4.0, 1e-14);
+}
+
+TEST(WriteStatistics, GivesNoRatioToASingleExternalNode) {
+  const Cancellation never;
+  const auto sampler = make_tree_sampler(Model::parse("bst"), true, never);
+  TreeMeasures measures;
+  sampler->sample(0, {0, 0}, 0, measures);
+  EXPECT_EQ(measures.size, 0u);
+  EXPECT_EQ(measures.height, 1u);
+  EXPECT_EQ(measures.strahler, 0u);
+  EXPECT_EQ(measures.depth, 0u);
+  EXPECT_EQ(measures.nodes[0], 1u);
+  EXPECT_EQ(measures.streams[0], 1u);
+  std::vector<StatisticValue> row;
+  write_statistics(StatisticSet::parse(Names{"streams_mean_ratio"}), measures, row);
+  EXPECT_TRUE(std::isnan(row.at(0).real));
+}
+
+}  // namespace
+}  // namespace ramify

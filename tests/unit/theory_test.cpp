@@ -1,0 +1,176 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "ramify/theory/constants.hpp"
+#include "ramify/theory/depth_constant.hpp"
+#include "ramify/theory/fill_level_constant.hpp"
+#include "ramify/theory/height_constant.hpp"
+#include "ramify/theory/split_mean.hpp"
+#include "ramify/theory/split_variance.hpp"
+#include "ramify/theory/strahler_constant.hpp"
+
+namespace {
+
+using ramify::Constant;
+using ramify::Model;
+
+std::optional<Constant> find(const std::string& model, const std::string& name) {
+  for (auto& constant : ramify::constants(Model::parse(model)))
+    if (constant.name == name) return constant;
+  return std::nullopt;
+}
+
+struct Known {
+  const char* model;
+  const char* name;
+  double value;
+  double tolerance;
+};
+
+class KnownConstant : public testing::TestWithParam<Known> {};
+
+TEST_P(KnownConstant, IsMet) {
+  const Known& known = GetParam();
+  const auto constant = find(known.model, known.name);
+  ASSERT_TRUE(constant) << known.model << " " << known.name;
+  EXPECT_NEAR(constant->value, known.value, known.tolerance) << known.model << " " << known.name;
+  EXPECT_LT(constant->error, 1e-12 * constant->value);
+}
+
+// Computed apart, by quadrature and mpmath; tolerance: one unit of the last digit printed there.
+const std::vector<Known> known_constants{
+    {"bst", "depth", 2, 0},
+    {"bst", "height", 4.31107040700100504, 1e-15},
+    {"bst", "fill_level", 0.373364617701674084, 1e-16},
+    {"beta(2,2)", "depth", 12.0 / 7, 1e-15},
+    {"beta(2,2)", "height", 3.192582835094, 1e-12},
+    {"beta(2,2)", "fill_level", 0.5660777121, 1e-10},
+    {"beta(5,5)", "depth", 1.548862937922, 1e-12},
+    {"beta(5,5)", "height", 2.411555486301, 1e-12},
+    {"beta(5,5)", "fill_level", 0.8151750149, 1e-10},
+    {"beta(10,10)", "depth", 1.495279246767, 1e-12},
+    {"beta(10,10)", "height", 2.083655370773, 1e-12},
+    {"beta(10,10)", "fill_level", 0.9710354760, 1e-10},
+    {"beta(100,100)", "depth", 1.447904196034, 1e-12},
+    {"beta(100,100)", "height", 1.624650695521, 1e-12},
+    {"beta(100,100)", "fill_level", 1.2775466031, 1e-10},
+    {"beta(0.5,0.5)", "depth", 2.588699449562, 1e-12},
+    {"beta(0.5,0.5)", "height", 6.380903816762, 1e-12},
+    {"beta(0.1,0.1)", "depth", 7.423075936080, 1e-12},
+    {"beta(0.1,0.1)", "height", 22.13991140784, 1e-11},
+    {"beta(0.01,0.01)", "depth", 62.12666760393, 1e-11},
+    {"beta(0.01,0.01)", "height", 197.7783951597, 1e-10},
+    {"beta(0.01,0.01)", "fill_level", 0.0048150753, 1e-10},
+    {"beta(1,2)", "height", 4.31107040700100504, 1e-15},  // the same unordered split as beta(1,1)
+    {"beta(1,3)", "depth", 2.181818181818, 1e-12},
+    {"beta(1,3)", "height", 5.012842756341, 1e-12},
+    {"beta(1,5)", "depth", 2.627737226277, 1e-12},
+    {"beta(1,5)", "height", 6.789596506587, 1e-12},
+    {"beta(1,10)", "depth", 3.755588673621, 1e-12},
+    {"beta(1,10)", "height", 11.61849254502, 1e-11},
+    {"beta(2,5)", "depth", 1.875, 1e-15},
+    {"beta(2,5)", "height", 3.869422253396, 1e-12},
+    {"beta(5,20)", "depth", 2.078570871169, 1e-12},
+    {"beta(5,20)", "height", 4.808997481343, 1e-12},
+    {"beta(10,20)", "depth", 1.612457784772, 1e-12},
+    {"beta(10,20)", "height", 2.727874865987, 1e-12},
+    {"beta(10,80)", "depth", 2.912307565053, 1e-12},
+    {"beta(80,10)", "depth", 2.912307565053, 1e-12},
+    {"beta(10,80)", "height", 8.634818523321, 1e-12},
+    {"beta(80,10)", "height", 8.634818523321, 1e-12},
+    {"beta(10,80)", "fill_level", 0.4271822186, 1e-10},
+    {"beta(20,80)", "depth", 2.018382772075, 1e-12},
+    {"beta(20,80)", "height", 4.579441911896, 1e-12},
+    {"patricia(1/2)", "depth", 1.4426950409, 1e-10},
+    {"patricia(1/2)", "height", 1.4426950409, 1e-10},
+    {"patricia(0.23)", "depth", 1.8543368641, 1e-10},
+    {"patricia(0.77)", "depth", 1.8543368641, 1e-10},
+    {"patricia(0.23)", "height", 3.8260704472, 1e-10},
+    {"patricia(0.77)", "height", 3.8260704472, 1e-10},
+    {"patricia(0.23)", "strahler", 0.6804220933, 1e-10},
+    {"patricia(0.77)", "fill_level", 0.6804220933, 1e-10},
+    {"dst(1/7.05)", "depth", 2.4491989646, 1e-10},
+    {"dst(1/7.05)", "height", 6.5372575233, 1e-10},
+    {"split(1/4.8)", "height", 4.2805497807, 1e-10},
+    {"split(1/4.8)", "strahler", 0.6375046871, 1e-10},
+    {"catalan", "strahler", 0.72134752044448170368, 2e-16},
+    {"beta(10,80)", "split_mean", 1.0 / 9, 1e-16},
+    {"beta(10,80)", "split_variance", 800.0 / (8100 * 91), 1e-18},
+    {"bst", "split_mean", 0.5, 0},
+    {"bst", "split_variance", 1.0 / 12, 1e-17},
+};
+
+INSTANTIATE_TEST_SUITE_P(Theory, KnownConstant, testing::ValuesIn(known_constants));
+
+// The minimum taken in the plainest way: log-gammas in double precision, t on a fine grid.
+double height_on_a_grid(double a, double b) {
+  double least = 1e300;
+  for (double t = 1.01; t < 400; t *= 1.0005) {
+    const double both = std::lgamma(a + b) - std::lgamma(a + b + t);
+    const double moment = std::exp(both + std::lgamma(a + t) - std::lgamma(a)) +
+                          std::exp(both + std::lgamma(b + t) - std::lgamma(b));
+    if (moment < 1) least = std::min(least, -t / std::log(moment));
+  }
+  return least;
+}
+
+TEST(HeightConstant, IsTheMinimumOfItsFormula) {
+  for (const auto& [a, b] :
+       std::vector<std::pair<double, double>>{{1000, 1000}, {100, 400}, {0.5, 7}, {10, 80}, {3, 2}}) {
+    const auto model = Model::parse("beta(" + std::to_string(a) + "," + std::to_string(b) + ")");
+    const double height = ramify::height_constant(model)->value;
+    EXPECT_NEAR(height, height_on_a_grid(a, b), 1e-6 * height) << model.text();
+    EXPECT_LE(height, height_on_a_grid(a, b) * (1 + 1e-10)) << model.text();
+  }
+}
+
+TEST(Constants, HoldAtTheEndsOfTheParameters) {
+  // 1/mu: as a = b -> 0 with s = a+b, mu -> s zeta(2) / 2 to first order; as a = b -> infinity it tends to
+  // log 2.
+  EXPECT_NEAR(find("beta(1e-9,1e-9)", "depth")->value * 1e-9 * std::numbers::pi * std::numbers::pi / 6, 1,
+              1e-8);
+  EXPECT_NEAR(find("beta(1e12,1e12)", "depth")->value * std::numbers::ln2, 1, 1e-11);
+  double mu = 0;  // psi(2001) - psi(1001)
+  for (int k = 2000; k > 1000; --k) mu += 1.0 / k;
+  EXPECT_NEAR(find("beta(1000,1000)", "depth")->value, 1 / mu, 1e-14);
+  for (const char* model :
+       {"beta(1e-9,1e-9)", "beta(1e12,1e12)", "beta(1e-9,1e9)", "patricia(1e-300)", "dst(0.999999999999)"})
+    for (const auto& constant : ramify::constants(Model::parse(model))) {
+      EXPECT_TRUE(std::isfinite(constant.value)) << model << " " << constant.name;
+      EXPECT_LE(constant.error, 1e-12 * constant.value) << model << " " << constant.name;
+    }
+}
+
+std::vector<std::string> names(const char* model) {
+  std::vector<std::string> names;
+  for (const auto& constant : ramify::constants(Model::parse(model))) names.push_back(constant.name);
+  return names;
+}
+
+TEST(Constants, AreListedInTheOrderOfTheTable) {
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(names("bst"), (Names{"depth", "height", "fill_level", "split_mean", "split_variance"}));
+  EXPECT_EQ(names("beta(2,5)"), names("bst"));
+  EXPECT_EQ(names("patricia(0.2)"),
+            (Names{"depth", "height", "strahler", "fill_level", "split_mean", "split_variance"}));
+  EXPECT_EQ(names("split(0.2)"), names("patricia(0.2)"));
+  EXPECT_EQ(names("dst(0.2)"), (Names{"depth", "height", "split_mean", "split_variance"}));
+  EXPECT_EQ(names("catalan"), (Names{"strahler"}));
+}
+
+TEST(Constants, SaysWhereTheyComeFrom) {
+  for (const char* model : {"bst", "beta(2,5)", "split(0.2)", "dst(0.2)", "patricia(0.2)", "catalan"})
+    for (const auto& constant : ramify::constants(Model::parse(model))) {
+      EXPECT_FALSE(constant.formula.empty()) << model << " " << constant.name;
+      EXPECT_FALSE(constant.source.empty()) << model << " " << constant.name;
+    }
+}
+
+}  // namespace
