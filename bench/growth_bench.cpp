@@ -4,6 +4,10 @@
 // that makes them null pointers (n).
 #include <string>
 
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
+
 #include "cpu_time.hpp"
 #include "pointer_tree.hpp"
 #include <benchmark/benchmark.h>

@@ -5,21 +5,19 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ramify/compare/judge.hpp"
-
 namespace ramify {
 namespace {
 
 std::string describe(const GrowthClaim& claim, const GrowthConstant& growth, Outcome outcome) {
-  std::string text = fmt::format("slope of the mean on log n, n = {:.0f}..{:.0f}; drift {:+.4f} from the lower sizes; tolerance {:g} %",
-                                 growth.slope.smallest_n, growth.slope.largest_n, growth.drift, 100 * claim.tolerance);
+  std::string text = fmt::format("slope of the mean on log n, n = {:.0f}..{:.0f}; drift {:+.4f} (error {:.4f}) from the middle sizes; tolerance {:g} %",
+                                 growth.slope.smallest_n, growth.slope.largest_n, growth.drift, growth.drift_error, 100 * claim.tolerance);
   if (outcome != Outcome::inconclusive) return text;
   return text + "; " + (claim.approach == Approach::drifts ? claim.why_drifts : "the interval is too wide: more trees decide it");
 }
 
 Verdict judge_one(const GrowthClaim& claim, const std::vector<SizedMean>& means, const std::string& exact) {
   const GrowthConstant growth = growth_constant(means);
-  const Interval interval = growth_interval(growth);
+  const Interval interval = growth_interval(growth, claim.approach);
   Outcome outcome = judge(interval, claim.theory, claim.tolerance * claim.theory);
   if (outcome == Outcome::refuted && claim.approach == Approach::drifts) outcome = Outcome::inconclusive;
   return {claim.id,

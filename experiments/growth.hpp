@@ -5,15 +5,10 @@
 #include <vector>
 
 #include "claim.hpp"
+#include "ramify/compare/judge.hpp"
 #include "ramify/estimate/slope.hpp"
 
 namespace ramify {
-
-/// How the mean of a statistic approaches its growth law.
-enum class Approach {
-  settles,  ///< mean = c log n + constant + O(1/n), at phase-matched sizes where it oscillates: slopes decide
-  drifts,   ///< a slower term is left (log log n, drifting thresholds): a slope off the band decides nothing
-};
 
 /// A claim of the form "the mean of a statistic grows like theory * log n".
 struct GrowthClaim {

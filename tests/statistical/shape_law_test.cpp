@@ -52,7 +52,7 @@ class ShapeLaw : public ::testing::TestWithParam<test::ModelCase> {
     const auto& model = GetParam();
     for (std::size_t n = 1; n <= largest; ++n) {
       const auto shapes = test::all_shapes(n);
-      const auto grow = test::tree_source(model.model, {test::seed_of(tag), n}, table_size);
+      const auto grow = test::tree_source(model.model, {test::seed_of(model.model + tag), n}, table_size);
       const auto counts = count_shapes(shapes, n, n == largest ? 100000 : 20000, grow);
       const auto what = fmt::format("{}, shapes of n = {}, {}", model.model, n, tag);
       EXPECT_TRUE(test::agrees(test::chi_square(what, counts, shape_law(shapes, n, model.law))));

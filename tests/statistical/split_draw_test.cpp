@@ -16,7 +16,7 @@ class SplitDraw : public ::testing::TestWithParam<test::ModelCase> {
  protected:
   void check(Size n, Size table_size) {
     const auto& model = GetParam();
-    const auto counts = test::count_splits(model.model, n, draws, test::seed_of("split draws"), table_size);
+    const auto counts = test::count_splits(model.model, n, draws, test::seed_of("splits of " + model.model), table_size);
     const auto what = fmt::format("{}, left of n = {}{}", model.model, n, n <= table_size ? ", table" : "");
     const auto law = model.law(n);
     EXPECT_TRUE(test::agrees(test::chi_square(what + ", fine", counts, law)));

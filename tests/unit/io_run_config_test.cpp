@@ -1,5 +1,4 @@
 #include <filesystem>
-#include <regex>
 
 #include <gtest/gtest.h>
 
@@ -120,7 +119,8 @@ TEST_P(Refused, InOneLineWithThePlace) {
   const std::string message = config_error(GetParam().text);
   EXPECT_TRUE(message.starts_with(GetParam().start)) << message;
   EXPECT_EQ(message.find('\n'), std::string::npos);
-  EXPECT_TRUE(std::regex_match(message, std::regex(R"(.+ \(.+\): .+)"))) << message;
+  const auto why = message.find(" ("), remedy = message.find("): ");
+  EXPECT_TRUE(why < remedy && remedy < message.size() - 3) << message;  // "problem (why): what to do"
 }
 
 const Refusal keys_and_types[] = {

@@ -1,6 +1,7 @@
 #include "ramify/compare/judge.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace ramify {
 
@@ -8,10 +9,12 @@ Interval sampling_interval(double estimate, double standard_error) {
   return {estimate - interval_sigmas * standard_error, estimate + interval_sigmas * standard_error};
 }
 
-Interval growth_interval(const GrowthConstant& growth) {
+Interval growth_interval(const GrowthConstant& growth, Approach approach) {
+  const double noise = approach == Approach::settles ? interval_sigmas * growth.drift_error : 0;
+  const double drift = std::copysign(std::max(0.0, std::fabs(growth.drift) - noise), growth.drift);
   Interval interval = sampling_interval(growth.slope.value, growth.slope.standard_error);
-  interval.lower += std::min(0.0, growth.drift);
-  interval.upper += std::max(0.0, growth.drift);
+  interval.lower += std::min(0.0, drift);
+  interval.upper += std::max(0.0, drift);
   return interval;
 }
 

@@ -26,12 +26,12 @@ Slope fit_slope(const std::vector<SizedMean>& points) {
 }
 
 GrowthConstant growth_constant(const std::vector<SizedMean>& points) {
-  RAMIFY_EXPECTS(points.size() >= 3);
-  const auto half = static_cast<std::ptrdiff_t>(points.size() / 2);
-  const auto shared = static_cast<std::ptrdiff_t>(points.size() % 2);
-  const Slope upper = fit_slope({points.begin() + half, points.end()});
-  const Slope lower = fit_slope({points.begin(), points.begin() + half + shared});
-  return {upper, upper.value - lower.value};
+  RAMIFY_EXPECTS(points.size() >= 4);
+  const auto half = static_cast<std::ptrdiff_t>((points.size() + 1) / 2);
+  const auto quarter = static_cast<std::ptrdiff_t>(points.size() / 4);
+  const Slope upper = fit_slope({points.end() - half, points.end()});
+  const Slope middle = fit_slope({points.end() - half - quarter, points.end() - quarter});
+  return {upper, upper.value - middle.value, std::hypot(upper.standard_error, middle.standard_error)};
 }
 
 }  // namespace ramify

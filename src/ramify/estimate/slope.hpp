@@ -25,12 +25,12 @@ Slope fit_slope(const std::vector<SizedMean>& points);
 /// A growth constant lim mean / log n by slopes: constants of order one in the mean, which spoil the raw
 /// quotient, drop out.
 struct GrowthConstant {
-  Slope slope;   ///< over the upper part of the sizes
-  double drift;  ///< that slope minus the one over the part just below: what is left of finite-size bias
+  Slope slope;            ///< over the upper half of the sizes
+  double drift;           ///< that slope minus the one over the middle half: what is left of finite-size bias
+  double drift_error;     ///< standard error of the drift, the two taken as independent (they share sizes: an upper bound)
 };
 
-/// Slopes over the upper and the lower part of the points (ascending n), each of at least two sizes; the parts share the
-/// middle point when the number is odd. At least three points.
+/// Slopes over the upper and over the middle half of the points (ascending n). At least four points.
 GrowthConstant growth_constant(const std::vector<SizedMean>& points);
 
 }  // namespace ramify
