@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ramify/core/number.hpp"
+#include "ramify/io/csv_reader.hpp"
 #include "ramify/io/csv_writer.hpp"
 #include "ramify/report/verdict_table.hpp"
 
@@ -81,6 +82,18 @@ std::string verdict_text(const std::vector<Verdict>& verdicts) {
                     fmt::format("{:.4f} [{:.4f}, {:.4f}]", v.estimate, v.lower, v.upper),
                     fmt::format("{}", v.largest_n), std::string(to_string(v.outcome))});
   return text_table({"claim", "statement", "theory", "estimate [99 % interval]", "largest n", "verdict"}, rows);
+}
+
+std::vector<std::string> changed_verdicts(const std::vector<Verdict>& verdicts, const std::filesystem::path& reference) {
+  const CsvData committed = CsvData::read(reference);
+  std::vector<std::string> changed;
+  for (std::size_t row = 0; row < committed.rows(); ++row) {
+    for (const auto& v : verdicts) {
+      if (v.claim != committed.at(row, "claim") || to_string(v.outcome) == committed.at(row, "verdict")) continue;
+      changed.push_back(fmt::format("{}: {}, was {}", v.claim, to_string(v.outcome), committed.at(row, "verdict")));
+    }
+  }
+  return changed;
 }
 
 std::string verdict_json(const std::vector<Verdict>& verdicts) {

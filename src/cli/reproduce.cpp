@@ -53,6 +53,16 @@ std::vector<RunConfig> read_configs(const Options& options) {
   return configs;
 }
 
+/// Says which verdicts differ from the committed ones, results/reference/<scale>/verdicts.csv beside the configs; with the configs'
+/// own seeds none should.
+ExitCode compare_with_reference(const Options& options, const std::vector<Verdict>& verdicts) {
+  const fs::path reference = config_folder(options) / "../../results/reference" / options.scale / "verdicts.csv";
+  if (!fs::exists(reference)) return ExitCode::done;
+  const auto changed = changed_verdicts(verdicts, reference);
+  for (const auto& line : changed) fmt::print(stderr, "ramify: a committed verdict changed: {}\n", line);
+  return changed.empty() ? ExitCode::done : ExitCode::check_failed;
+}
+
 ExitCode reproduce(const Options& options, const Cancellation& cancellation) {
   const auto configs = read_configs(options);
   const unsigned threads = read_threads(options.flags.threads);
@@ -68,9 +78,11 @@ ExitCode reproduce(const Options& options, const Cancellation& cancellation) {
   const auto verdicts = evidence.verdicts();
   write_file_atomically(out / "verdicts.csv", verdict_csv(verdicts));
   for (const auto& named : evidence.plots()) write_plot(named.plot, out / "plots", named.stem);
+  write_file_atomically(out / "verdicts.txt", verdict_text(verdicts));
   emit(verdict_text(verdicts), "");
   fmt::print(stderr, "verdicts: {0}/verdicts.csv\nplots:    {0}/plots\ntables:   {0}/<config>/summary.csv\n", out.string());
-  return judge_checks(evidence);
+  const ExitCode checks = judge_checks(evidence);
+  return options.flags.seed.empty() ? std::max(checks, compare_with_reference(options, verdicts)) : checks;
 }
 
 }  // namespace

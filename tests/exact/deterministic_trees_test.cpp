@@ -1,15 +1,15 @@
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
 
+#include "support/growing.hpp"
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
 #include "ramify/statistic/order_ratios.hpp"
 #include "ramify/statistic/tree_sampler.hpp"
 #include "ramify/tree/parenthesis_word.hpp"
-#include "support/growing.hpp"
 
 namespace ramify {
 namespace {
@@ -35,9 +35,10 @@ struct Oracle {
 };
 
 TEST(FixedSplitTree, HasThePrintedCounts) {
-  const std::vector<Oracle> oracles{{"split(0.25)", 15, {16, 11, 4}, {16, 5, 1}},
-                                    {"split(1/4.35)", 100, {101, 68, 25, 6, 1}, {101, 33, 8, 2, 1}},
-                                    {"split(1/4.35)", 579, {580, 394, 140, 35, 8, 2}, {580, 186, 46, 11, 3, 1}}};
+  const std::vector<Oracle> oracles{
+      {"split(0.25)", 15, {16, 11, 4}, {16, 5, 1}},
+      {"split(1/4.35)", 100, {101, 68, 25, 6, 1}, {101, 33, 8, 2, 1}},
+      {"split(1/4.35)", 579, {580, 394, 140, 35, 8, 2}, {580, 186, 46, 11, 3, 1}}};
   for (const auto& [model, n, nodes, streams] : oracles) {
     const TreeMeasures measures = measures_of(model, n);
     EXPECT_EQ(to_top(measures.nodes, measures.strahler), nodes) << model << " n = " << n;
@@ -72,7 +73,9 @@ TEST(FixedSplitTree, OfOneHalfIsComplete) {
   }
 }
 
-double bound_of_fact_32(double x, Size n) { return std::log(static_cast<double>(n)) / std::log(1 / x) + 1; }
+double bound_of_fact_32(double x, Size n) {
+  return std::log(static_cast<double>(n)) / std::log(1 / x) + 1;
+}
 
 // Fact 3.2 (C10): S <= log_(1/X) n + 1 for X <= 1/2.
 TEST(FixedSplitTree, ObeysFact32) {

@@ -1,16 +1,16 @@
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "ramify/model/registry.hpp"
 #include "support/growing.hpp"
 #include "support/reference_laws.hpp"
+#include <boost/multiprecision/cpp_int.hpp>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "ramify/model/registry.hpp"
 
 namespace ramify {
 namespace {
@@ -28,7 +28,9 @@ cpp_int choose(unsigned n, unsigned k) {
   return result;
 }
 
-double to_double(const cpp_rational& ratio) { return static_cast<double>(ratio); }
+double to_double(const cpp_rational& ratio) {
+  return static_cast<double>(ratio);
+}
 
 /// Relative agreement; below 1e-290 a double has lost digits of its own.
 void expect_same_law(const std::vector<double>& law, const std::vector<double>& exact, double tolerance) {
@@ -66,7 +68,8 @@ TEST(CatalanLaw, IsTheProductOfCatalanNumbers) {
   const auto catalan = [](unsigned i) { return cpp_int(choose(2 * i, i) / (i + 1)); };
   for (const unsigned n : {1u, 2u, 3u, 4u, 10u, 50u, 128u, 200u}) {
     std::vector<double> exact;
-    for (unsigned i = 0; i < n; ++i) exact.push_back(to_double(cpp_rational(catalan(i) * catalan(n - 1 - i), catalan(n))));
+    for (unsigned i = 0; i < n; ++i)
+      exact.push_back(to_double(cpp_rational(catalan(i) * catalan(n - 1 - i), catalan(n))));
     expect_same_law(pmf_of("catalan", n), exact, 1e-13);
   }
   expect_same_law(pmf_of("catalan", 3), {0.4, 0.2, 0.4}, 1e-15);
@@ -78,8 +81,9 @@ TEST(DstLaw, IsBinomialInRationals) {
     for (const unsigned a : {1u, 15u, 32u, 63u}) {
       std::vector<double> exact;
       for (unsigned i = 0; i < n; ++i)
-        exact.push_back(to_double(cpp_rational(choose(n - 1, i) * pow(cpp_int(a), i) * pow(cpp_int(64 - a), n - 1 - i),
-                                               pow(cpp_int(64), n - 1))));
+        exact.push_back(
+            to_double(cpp_rational(choose(n - 1, i) * pow(cpp_int(a), i) * pow(cpp_int(64 - a), n - 1 - i),
+                                   pow(cpp_int(64), n - 1))));
       expect_same_law(pmf_of(fmt::format("dst({}/64)", a), n), exact, 1e-12);
     }
   }
@@ -92,7 +96,8 @@ TEST(PatriciaLaw, IsTheInnerBinomialInRationals) {
       const cpp_int inner = pow(cpp_int(64), n + 1) - pow(left, n + 1) - pow(right, n + 1);
       std::vector<double> exact;
       for (unsigned i = 0; i < n; ++i)
-        exact.push_back(to_double(cpp_rational(choose(n + 1, i + 1) * pow(left, i + 1) * pow(right, n - i), inner)));
+        exact.push_back(
+            to_double(cpp_rational(choose(n + 1, i + 1) * pow(left, i + 1) * pow(right, n - i), inner)));
       expect_same_law(pmf_of(fmt::format("patricia({}/64)", a), n), exact, 1e-12);
     }
   }
@@ -112,7 +117,8 @@ TEST(BinomialLaws, HoldAtLargeSizes) {
 }
 
 TEST(BetaLaw, OfOneOneIsTheBst) {
-  for (const Size n : {1u, 2u, 3u, 10u, 128u, 1000u}) expect_same_law(pmf_of("beta(1,1)", n), pmf_of("bst", n), 1e-11);
+  for (const Size n : {1u, 2u, 3u, 10u, 128u, 1000u})
+    expect_same_law(pmf_of("beta(1,1)", n), pmf_of("bst", n), 1e-11);
 }
 
 // Whole a, b: I_x(a,b) = P(Bin(a+b-1, x) >= a), a ratio of integers at x = i/n.
@@ -123,16 +129,19 @@ TEST(BetaLaw, IsABinomialTailForWholeParameters) {
       const unsigned m = a + b - 1;
       std::vector<cpp_int> below(n + 1, 0);  // I_(i/n)(a,b) n^m
       for (unsigned i = 0; i <= n; ++i)
-        for (unsigned k = a; k <= m; ++k) below[i] += choose(m, k) * pow(cpp_int(i), k) * pow(cpp_int(n - i), m - k);
+        for (unsigned k = a; k <= m; ++k)
+          below[i] += choose(m, k) * pow(cpp_int(i), k) * pow(cpp_int(n - i), m - k);
       std::vector<double> exact;
-      for (unsigned i = 0; i < n; ++i) exact.push_back(to_double(cpp_rational(below[i + 1] - below[i], pow(cpp_int(n), m))));
+      for (unsigned i = 0; i < n; ++i)
+        exact.push_back(to_double(cpp_rational(below[i + 1] - below[i], pow(cpp_int(n), m))));
       expect_same_law(pmf_of(fmt::format("beta({},{})", a, b), n), exact, 1e-10);
     }
   }
 }
 
 TEST(BetaLaw, IsTheIntegralOfItsDensity) {
-  const std::vector<std::pair<double, double>> shapes{{0.01, 0.01}, {0.1, 0.1}, {0.5, 3}, {0.3, 0.2}, {0.01, 1000}, {10, 0.1}, {1000, 1000}};
+  const std::vector<std::pair<double, double>> shapes{{0.01, 0.01}, {0.1, 0.1}, {0.5, 3},    {0.3, 0.2},
+                                                      {0.01, 1000}, {10, 0.1},  {1000, 1000}};
   for (const auto& [a, b] : shapes) {
     const Model model = Model::parse(fmt::format("beta({},{})", a, b));
     for (const Size n : {2u, 3u, 10u, 128u, 1000u}) {

@@ -1,6 +1,3 @@
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
 #include <functional>
 #include <string>
 #include <vector>
@@ -9,6 +6,8 @@
 #include "support/growing.hpp"
 #include "support/seed.hpp"
 #include "support/wrong_laws.hpp"
+#include <fmt/format.h>
+#include <gtest/gtest.h>
 
 namespace ramify {
 namespace {
@@ -34,11 +33,21 @@ test::SampleMean sample(const Grow& grow, Size n, std::uint64_t trees, const std
   return mean;
 }
 
-double order(const TreeMeasures& m) { return m.strahler; }
-double depth(const TreeMeasures& m) { return m.depth; }
-double height(const TreeMeasures& m) { return m.height; }
-double fill(const TreeMeasures& m) { return m.fill_level; }
-double balance(const TreeMeasures& m) { return m.balance; }
+double order(const TreeMeasures& m) {
+  return m.strahler;
+}
+double depth(const TreeMeasures& m) {
+  return m.depth;
+}
+double height(const TreeMeasures& m) {
+  return m.height;
+}
+double fill(const TreeMeasures& m) {
+  return m.fill_level;
+}
+double balance(const TreeMeasures& m) {
+  return m.balance;
+}
 
 struct ExactMean {
   std::string name;
@@ -55,10 +64,12 @@ class ExactMeans : public ::testing::TestWithParam<ExactMean> {};
 TEST_P(ExactMeans, AreReachedAndTellSlipsApart) {
   const auto& [name, model, n, read, exact, wrong, trees] = GetParam();
   EXPECT_TRUE(test::agrees(test::z_test(name, sample(grower_of_model(model), n, trees, name, read), exact)));
-  EXPECT_TRUE(test::rejected(test::z_test(name + ", slip", sample(wrong, n, trees, name + ", slip", read), exact)));
+  EXPECT_TRUE(
+      test::rejected(test::z_test(name + ", slip", sample(wrong, n, trees, name + ", slip", read), exact)));
 }
 
-// Exact means by dynamic programming over sizes and in closed form (catalogue A11, A13, A14, A15, B16; theory.md 2).
+// Exact means by dynamic programming over sizes and in closed form (catalogue A11, A13, A14, A15, B16;
+// theory.md 2).
 std::vector<ExactMean> exact_means() {
   const double p = 1 / 4.35;
   const Grow short_uniform = grower_of(test::ShortUniform{});
@@ -113,7 +124,8 @@ OrderMeans order_means(const std::string& model, Size n, std::size_t orders, std
   return means;
 }
 
-void expect_stream_means(const std::string& model, Size n, std::uint64_t trees, const std::vector<double>& exact) {
+void expect_stream_means(const std::string& model, Size n, std::uint64_t trees,
+                         const std::vector<double>& exact) {
   const auto means = order_means(model, n, exact.size(), trees);
   for (std::size_t k = 0; k < exact.size(); ++k) {
     const auto what = fmt::format("{}, n = {}, streams of order {}", model, n, k);

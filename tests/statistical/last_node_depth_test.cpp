@@ -1,6 +1,3 @@
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
 #include <string>
 #include <vector>
 
@@ -9,14 +6,16 @@
 #include "support/model_cases.hpp"
 #include "support/reference_laws.hpp"
 #include "support/seed.hpp"
+#include <fmt/format.h>
+#include <gtest/gtest.h>
 
 namespace ramify {
 namespace {
 
 using DepthLaw = std::vector<double>;  // P(D = d), d = 0..
 
-/// P(D_n = d) by the recurrence of B23: D_1 = 1; D_n = 1 + D_i with probability i/(n-1) for a child of size i.
-/// fair: the slip that goes to either internal child with equal probability.
+/// P(D_n = d) by the recurrence of B23: D_1 = 1; D_n = 1 + D_i with probability i/(n-1) for a child of size
+/// i. fair: the slip that goes to either internal child with equal probability.
 DepthLaw depth_law(Size n, const test::SplitPmf& split, bool fair) {
   std::vector<DepthLaw> laws{{1}, {0, 1}};
   for (Size size = 2; size <= n; ++size) {
@@ -49,13 +48,18 @@ void expect_depth_law(const std::string& model, const test::SplitPmf& split) {
     const auto what = fmt::format("{}, depth of the last node, n = {}", model, n);
     EXPECT_TRUE(test::agrees(test::chi_square(what, counts, depth_law(n, split, false))));
     if (n == 2) continue;  // one fork never has two internal children
-    EXPECT_TRUE(test::rejected(test::chi_square(what + ": children equally likely", counts, depth_law(n, split, true))));
+    EXPECT_TRUE(test::rejected(
+        test::chi_square(what + ": children equally likely", counts, depth_law(n, split, true))));
   }
 }
 
-TEST(LastNodeDepthLaw, OfBsts) { expect_depth_law("bst", test::uniform_law); }
+TEST(LastNodeDepthLaw, OfBsts) {
+  expect_depth_law("bst", test::uniform_law);
+}
 
-TEST(LastNodeDepthLaw, OfCatalanTrees) { expect_depth_law("catalan", test::catalan_law); }
+TEST(LastNodeDepthLaw, OfCatalanTrees) {
+  expect_depth_law("catalan", test::catalan_law);
+}
 
 TEST(LastNodeDepthLaw, OfDsts) {
   expect_depth_law("dst(0.23)", [](Size n) { return test::dst_law(n, 0.23); });

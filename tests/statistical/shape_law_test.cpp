@@ -1,17 +1,17 @@
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
 #include <map>
 #include <string>
 #include <vector>
 
-#include "ramify/tree/parenthesis_word.hpp"
 #include "support/definitions.hpp"
 #include "support/goodness.hpp"
 #include "support/growing.hpp"
 #include "support/model_cases.hpp"
 #include "support/seed.hpp"
 #include "support/shape.hpp"
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "ramify/tree/parenthesis_word.hpp"
 
 namespace ramify {
 namespace {
@@ -25,7 +25,8 @@ double shape_probability(const test::Shape& shape, const std::vector<std::vector
          shape_probability(right, laws);
 }
 
-std::vector<double> shape_law(const std::vector<test::Shape>& shapes, std::size_t n, const test::SplitPmf& split) {
+std::vector<double> shape_law(const std::vector<test::Shape>& shapes, std::size_t n,
+                              const test::SplitPmf& split) {
   std::vector<std::vector<double>> laws{{}};
   for (Size size = 1; size <= n; ++size) laws.push_back(split(size));
   std::vector<double> law;
@@ -34,8 +35,8 @@ std::vector<double> shape_law(const std::vector<test::Shape>& shapes, std::size_
 }
 
 /// How often each shape grew.
-std::vector<std::uint64_t> count_shapes(const std::vector<test::Shape>& shapes, std::size_t n, std::uint64_t trees,
-                                        const test::TreeSource& grow) {
+std::vector<std::uint64_t> count_shapes(const std::vector<test::Shape>& shapes, std::size_t n,
+                                        std::uint64_t trees, const test::TreeSource& grow) {
   std::map<std::string, std::size_t> place;
   for (const auto& shape : shapes) place.emplace(test::to_word(shape), place.size());
   std::vector<std::uint64_t> counts(shapes.size(), 0);
@@ -59,14 +60,19 @@ class ShapeLaw : public ::testing::TestWithParam<test::ModelCase> {
       if (n < largest) continue;
       for (const auto& list : {model.wrong, model.wrong_when_small})
         for (const auto& [slip, law] : list)
-          EXPECT_TRUE(test::rejected(test::chi_square(what + ": " + slip, counts, shape_law(shapes, n, law))));
+          EXPECT_TRUE(
+              test::rejected(test::chi_square(what + ": " + slip, counts, shape_law(shapes, n, law))));
     }
   }
 };
 
-TEST_P(ShapeLaw, HoldsForDrawsFromTables) { check(test::default_tables, "from tables"); }
+TEST_P(ShapeLaw, HoldsForDrawsFromTables) {
+  check(test::default_tables, "from tables");
+}
 
-TEST_P(ShapeLaw, HoldsForDrawsFromTheLaw) { check(test::no_tables, "from the law"); }
+TEST_P(ShapeLaw, HoldsForDrawsFromTheLaw) {
+  check(test::no_tables, "from the law");
+}
 
 INSTANTIATE_TEST_SUITE_P(Models, ShapeLaw, ::testing::ValuesIn(test::model_cases()),
                          [](const auto& instance) { return test::name_of(instance.param); });

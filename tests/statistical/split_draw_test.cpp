@@ -1,10 +1,9 @@
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
 #include "support/goodness.hpp"
 #include "support/growing.hpp"
 #include "support/model_cases.hpp"
 #include "support/seed.hpp"
+#include <fmt/format.h>
+#include <gtest/gtest.h>
 
 namespace ramify {
 namespace {
@@ -16,7 +15,8 @@ class SplitDraw : public ::testing::TestWithParam<test::ModelCase> {
  protected:
   void check(Size n, Size table_size) {
     const auto& model = GetParam();
-    const auto counts = test::count_splits(model.model, n, draws, test::seed_of("splits of " + model.model), table_size);
+    const auto counts =
+        test::count_splits(model.model, n, draws, test::seed_of("splits of " + model.model), table_size);
     const auto what = fmt::format("{}, left of n = {}{}", model.model, n, n <= table_size ? ", table" : "");
     const auto law = model.law(n);
     EXPECT_TRUE(test::agrees(test::chi_square(what + ", fine", counts, law)));
@@ -26,11 +26,21 @@ class SplitDraw : public ::testing::TestWithParam<test::ModelCase> {
   }
 };
 
-TEST_P(SplitDraw, FromTheLargestTable) { check(128, test::default_tables); }
-TEST_P(SplitDraw, FromTheLawAtTheSameSize) { check(128, test::no_tables); }
-TEST_P(SplitDraw, JustAboveTheTables) { check(129, test::default_tables); }
-TEST_P(SplitDraw, AtThreeHundred) { check(300, test::default_tables); }
-TEST_P(SplitDraw, AtFiveThousand) { check(5000, test::default_tables); }
+TEST_P(SplitDraw, FromTheLargestTable) {
+  check(128, test::default_tables);
+}
+TEST_P(SplitDraw, FromTheLawAtTheSameSize) {
+  check(128, test::no_tables);
+}
+TEST_P(SplitDraw, JustAboveTheTables) {
+  check(129, test::default_tables);
+}
+TEST_P(SplitDraw, AtThreeHundred) {
+  check(300, test::default_tables);
+}
+TEST_P(SplitDraw, AtFiveThousand) {
+  check(5000, test::default_tables);
+}
 
 INSTANTIATE_TEST_SUITE_P(Models, SplitDraw, ::testing::ValuesIn(test::model_cases()),
                          [](const auto& instance) { return test::name_of(instance.param); });

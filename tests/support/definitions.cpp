@@ -36,14 +36,15 @@ void count_levels(const Shape& shape, std::size_t level, std::vector<std::uint64
 void walk_edges(const Shape& shape, std::size_t so_far, std::size_t& most) {
   most = std::max(most, so_far);
   for (const Shape& child : shape.children) {
-    const bool smallest = std::all_of(shape.children.begin(), shape.children.end(), [&](const Shape& sibling) {
-      return external_nodes(child) <= external_nodes(sibling);
-    });
+    const bool smallest =
+        std::all_of(shape.children.begin(), shape.children.end(),
+                    [&](const Shape& sibling) { return external_nodes(child) <= external_nodes(sibling); });
     walk_edges(child, so_far + (smallest && shape.children.size() > 1 ? 1 : 0), most);
   }
 }
 
-void walk_to_last(const Shape& shape, std::size_t depth, double probability, std::map<std::size_t, double>& law) {
+void walk_to_last(const Shape& shape, std::size_t depth, double probability,
+                  std::map<std::size_t, double>& law) {
   const double others = static_cast<double>(internal_nodes(shape) - 1);
   if (others == 0) law[depth] += probability;
   for (const Shape& child : shape.children)

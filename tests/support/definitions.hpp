@@ -15,11 +15,12 @@ namespace ramify::test {
 std::uint64_t internal_nodes(const Shape& shape);
 std::uint64_t external_nodes(const Shape& shape);
 
-/// Horton-Strahler order (B6, B22): 0 for an external node; m+1 where two or more children have the largest order m, else m.
+/// Horton-Strahler order (B6, B22): 0 for an external node; m+1 where two or more children have the largest
+/// order m, else m.
 std::size_t strahler(const Shape& shape);
 
-/// The same number by pruning, for shapes without one-child nodes: how often all external nodes can be cut off, and the
-/// one-child nodes that arise contracted, until a single node is left.
+/// The same number by pruning, for shapes without one-child nodes: how often all external nodes can be cut
+/// off, and the one-child nodes that arise contracted, until a single node is left.
 std::size_t strahler_by_pruning(const Shape& shape);
 
 /// Nodes of every order 0..S (B9).
@@ -43,7 +44,8 @@ std::size_t level_of_first_leaf(const Shape& shape);
 /// Maximum over root-to-leaf paths of the edges to a child no larger than any of its siblings (B16).
 std::size_t balance(const Shape& shape);
 
-/// The law of the depth of the last node (B23): every walk with its probability; depth 0 for an external node.
+/// The law of the depth of the last node (B23): every walk with its probability; depth 0 for an external
+/// node.
 std::map<std::size_t, double> last_node_depth_law(const Shape& shape);
 
 /// Mean over k of counts[k] / counts[k+1] (B11a).

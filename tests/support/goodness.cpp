@@ -1,13 +1,14 @@
 #include "support/goodness.hpp"
 
-#include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <iostream>
 #include <limits>
 #include <numeric>
 #include <sstream>
 #include <stdexcept>
+
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/normal.hpp>
 
 namespace ramify::test {
 namespace {
@@ -31,7 +32,8 @@ struct Cell {
 };
 
 /// Neighbours together until each expects `least`; what is left over at the end joins the last cell.
-std::vector<Cell> pool(std::span<const std::uint64_t> observed, std::span<const double> expected, double least) {
+std::vector<Cell> pool(std::span<const std::uint64_t> observed, std::span<const double> expected,
+                       double least) {
   std::vector<Cell> cells;
   Cell open;
   for (std::size_t i = 0; i < observed.size(); ++i) {
@@ -116,7 +118,9 @@ void SampleMean::add(double value) {
   squares_ += from_old * (value - mean_);
 }
 
-double SampleMean::standard_error() const { return std::sqrt(squares_ / (count_ - 1) / count_); }
+double SampleMean::standard_error() const {
+  return std::sqrt(squares_ / (count_ - 1) / count_);
+}
 
 Goodness z_test(const std::string& what, const SampleMean& sample, double exact) {
   std::ostringstream text;
@@ -125,7 +129,8 @@ Goodness z_test(const std::string& what, const SampleMean& sample, double exact)
   const double difference = sample.mean() - exact;
   if (sample.standard_error() == 0) return {text.str(), difference, 0, difference == 0 ? 1.0 : 0.0};
   const double z = difference / sample.standard_error();
-  return {text.str(), z, 0, 2 * boost::math::cdf(boost::math::complement(boost::math::normal(), std::abs(z)))};
+  return {text.str(), z, 0,
+          2 * boost::math::cdf(boost::math::complement(boost::math::normal(), std::abs(z)))};
 }
 
 }  // namespace ramify::test

@@ -1,13 +1,13 @@
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <cstdint>
 #include <map>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 namespace ramify::test {
 
@@ -28,8 +28,8 @@ struct Goodness {
 /// Passes where p < alpha: the negative control.
 ::testing::AssertionResult rejected(const Goodness& goodness);
 
-/// Pearson's chi-square of counts against probabilities (scaled to sum 1). Neighbouring cells are pooled until each expects
-/// `least` at least; a count in a cell of probability 0 gives p = 0.
+/// Pearson's chi-square of counts against probabilities (scaled to sum 1). Neighbouring cells are pooled
+/// until each expects `least` at least; a count in a cell of probability 0 gives p = 0.
 Goodness chi_square(const std::string& what, std::span<const std::uint64_t> observed,
                     std::span<const double> probabilities, double least = 5);
 

@@ -7,9 +7,9 @@
 namespace ramify::test {
 
 const std::vector<std::string>& all_models() {
-  static const std::vector<std::string> models{"bst",       "beta(1,1)",       "beta(10,80)",    "beta(0.3,0.2)",
-                                               "split(0.25)", "split(1/4.35)", "dst(0.23)",      "dst(1/2)",
-                                               "patricia(1/4.35)", "patricia(0.7)", "catalan"};
+  static const std::vector<std::string> models{
+      "bst",       "beta(1,1)", "beta(10,80)",      "beta(0.3,0.2)", "split(0.25)", "split(1/4.35)",
+      "dst(0.23)", "dst(1/2)",  "patricia(1/4.35)", "patricia(0.7)", "catalan"};
   return models;
 }
 
@@ -24,8 +24,8 @@ TreeSource tree_source(std::string_view model, StreamKey key, Size table_size) {
       Model::parse(model).law());
 }
 
-std::vector<std::uint64_t> count_splits(std::string_view model, Size n, std::uint64_t draws, std::uint64_t seed,
-                                        Size table_size) {
+std::vector<std::uint64_t> count_splits(std::string_view model, Size n, std::uint64_t draws,
+                                        std::uint64_t seed, Size table_size) {
   std::vector<std::uint64_t> counts(n, 0);
   std::visit(
       [&]<class Law>(const Law& law) {

@@ -34,11 +34,11 @@ using TreeSource = std::function<Tree(Size n, std::uint64_t replicate)>;
 TreeSource tree_source(std::string_view model, StreamKey key, Size table_size);
 
 /// How often each left size 0..n-1 came in so many draws of the split of a tree of size n.
-std::vector<std::uint64_t> count_splits(std::string_view model, Size n, std::uint64_t draws, std::uint64_t seed,
-                                        Size table_size);
+std::vector<std::uint64_t> count_splits(std::string_view model, Size n, std::uint64_t draws,
+                                        std::uint64_t seed, Size table_size);
 
-/// Grows trees of any split law, replicates 0, 1, ..., and hands over what was measured; the law need not be a registered
-/// model. look(measures) for each tree.
+/// Grows trees of any split law, replicates 0, 1, ..., and hands over what was measured; the law need not be
+/// a registered model. look(measures) for each tree.
 template <class Law, class Look>
 void grow_and_measure(const Law& law, Size n, std::uint64_t replicates, std::uint64_t seed, Look look) {
   using Everything = Joint<LastNodeDepth, Height, HortonStrahler, FillLevel, Balance>;
@@ -48,8 +48,8 @@ void grow_and_measure(const Law& law, Size n, std::uint64_t replicates, std::uin
   Grower<SplitTree<Law>, Everything, Stream> grower(never);
   for (std::uint64_t replicate = 0; replicate < replicates; ++replicate) {
     Stream stream(key, replicate);
-    Everything fold(LastNodeDepth(Stream(key, replicate, Lane::walk)), Height(), HortonStrahler(), FillLevel(),
-                    Balance());
+    Everything fold(LastNodeDepth(Stream(key, replicate, Lane::walk)), Height(), HortonStrahler(),
+                    FillLevel(), Balance());
     const auto root = grower(grammar, n, stream, fold);
     TreeMeasures measures;
     measures.size = n;

@@ -17,7 +17,8 @@ struct WrongLaw {
   SplitPmf law;
 };
 
-/// A model, its law, and the nearest mistakes: those told apart at every size, and those only small trees show.
+/// A model, its law, and the nearest mistakes: those told apart at every size, and those only small trees
+/// show.
 struct ModelCase {
   std::string model;
   SplitPmf law;

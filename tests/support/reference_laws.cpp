@@ -1,10 +1,11 @@
 #include "support/reference_laws.hpp"
 
-#include <boost/math/quadrature/gauss_kronrod.hpp>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <boost/multiprecision/cpp_bin_float.hpp>
 
 namespace ramify::test {
 namespace {
@@ -41,7 +42,9 @@ double beta_piece(double a, double b, double from, double to) {
   constexpr double tolerance = 1e-9;
   if (from > 0 || a >= 1) {
     // The density at the middle is taken out, or the integral underflows for a = b = 1000.
-    const auto density = [&](double x) { return std::exp((a - 1) * std::log(2 * x) + (b - 1) * std::log(2 * (1 - x))); };
+    const auto density = [&](double x) {
+      return std::exp((a - 1) * std::log(2 * x) + (b - 1) * std::log(2 * (1 - x)));
+    };
     return gauss_kronrod<double, 61>::integrate(density, from, to, depth, tolerance);
   }
   // u = x^a takes the singularity away.
@@ -57,12 +60,15 @@ std::vector<double> appended_zero(std::vector<double> law) {
 
 }  // namespace
 
-std::vector<double> uniform_law(Size n) { return std::vector<double>(n, 1 / static_cast<double>(n)); }
+std::vector<double> uniform_law(Size n) {
+  return std::vector<double>(n, 1 / static_cast<double>(n));
+}
 
 std::vector<double> split_law(Size n, double x) {
   std::vector<double> law(n, 0.0);
   for (Size i = 0; i < n; ++i)
-    if (static_cast<double>(i) <= x * static_cast<double>(n) && x * static_cast<double>(n) < static_cast<double>(i + 1))
+    if (static_cast<double>(i) <= x * static_cast<double>(n) &&
+        x * static_cast<double>(n) < static_cast<double>(i + 1))
       law[i] = 1;
   return law;
 }
@@ -74,8 +80,9 @@ std::vector<double> beta_law(Size n, double a, double b) {
   for (Size i = 0; i < n; ++i) {
     const double from = static_cast<double>(i) / size, to = static_cast<double>(i + 1) / size;
     // From the nearer end: mirrored above 1/2.
-    law[i] = from + to <= 1 ? beta_piece(a, b, from, to)
-                            : beta_piece(b, a, static_cast<double>(n - 1 - i) / size, static_cast<double>(n - i) / size);
+    law[i] = from + to <= 1
+                 ? beta_piece(a, b, from, to)
+                 : beta_piece(b, a, static_cast<double>(n - 1 - i) / size, static_cast<double>(n - i) / size);
   }
   const double sum = std::accumulate(law.begin(), law.end(), 0.0);
   for (double& p : law) p /= sum;
@@ -90,9 +97,13 @@ std::vector<double> catalan_law(Size n) {
   return scaled(weights);
 }
 
-std::vector<double> dst_law(Size n, double p) { return scaled(binomial(n - 1, p)); }
+std::vector<double> dst_law(Size n, double p) {
+  return scaled(binomial(n - 1, p));
+}
 
-std::vector<double> patricia_law(Size n, double p) { return inner_binomial(n + 1, p); }
+std::vector<double> patricia_law(Size n, double p) {
+  return inner_binomial(n + 1, p);
+}
 
 std::vector<double> thesis_binomial_law(Size n, double p) {
   auto weights = binomial(n, p);
@@ -100,7 +111,9 @@ std::vector<double> thesis_binomial_law(Size n, double p) {
   return scaled(weights);
 }
 
-std::vector<double> short_uniform_law(Size n) { return n == 1 ? uniform_law(1) : appended_zero(uniform_law(n - 1)); }
+std::vector<double> short_uniform_law(Size n) {
+  return n == 1 ? uniform_law(1) : appended_zero(uniform_law(n - 1));
+}
 
 std::vector<double> short_beta_law(Size n, double a, double b) {
   return n == 1 ? uniform_law(1) : appended_zero(beta_law(n - 1, a, b));
@@ -110,6 +123,8 @@ std::vector<double> short_patricia_law(Size n, double p) {
   return n == 1 ? uniform_law(1) : appended_zero(inner_binomial(n, p));
 }
 
-std::vector<double> short_catalan_law(Size n) { return n == 1 ? uniform_law(1) : appended_zero(catalan_law(n - 1)); }
+std::vector<double> short_catalan_law(Size n) {
+  return n == 1 ? uniform_law(1) : appended_zero(catalan_law(n - 1));
+}
 
 }  // namespace ramify::test

@@ -6,8 +6,9 @@
 
 namespace ramify::test {
 
-// P(left = i), i = 0..n-1, of every model, from the definition and in 50 digits (the beta by quadrature of its density):
-// what pmf() and the samplers are held against. Also the laws that a plausible slip would draw from. n >= 1.
+// P(left = i), i = 0..n-1, of every model, from the definition and in 50 digits (the beta by quadrature of
+// its density): what pmf() and the samplers are held against. Also the laws that a plausible slip would draw
+// from. n >= 1.
 
 std::vector<double> uniform_law(Size n);
 std::vector<double> split_law(Size n, double x);

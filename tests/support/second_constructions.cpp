@@ -21,14 +21,16 @@ class BitString {
   std::vector<bool> bits_;
 };
 
-/// The contracted trie of strings[first..last), which agree in their first `level` bits; the number of its root.
-int contract_trie(std::vector<BitString>& strings, std::size_t first, std::size_t last, std::size_t level, double p,
-                  Stream& stream, LinkedTree& tree) {
+/// The contracted trie of strings[first..last), which agree in their first `level` bits; the number of its
+/// root.
+int contract_trie(std::vector<BitString>& strings, std::size_t first, std::size_t last, std::size_t level,
+                  double p, Stream& stream, LinkedTree& tree) {
   if (last - first == 1) return -1;
   const auto begin = strings.begin() + static_cast<std::ptrdiff_t>(first);
   const auto end = strings.begin() + static_cast<std::ptrdiff_t>(last);
   const auto middle = std::partition(begin, end, [&](BitString& s) { return s.bit(level, p, stream); });
-  if (middle == begin || middle == end) return contract_trie(strings, first, last, level + 1, p, stream, tree);
+  if (middle == begin || middle == end)
+    return contract_trie(strings, first, last, level + 1, p, stream, tree);
   const auto split = static_cast<std::size_t>(middle - strings.begin());
   const int node = static_cast<int>(tree.nodes.size());
   tree.nodes.emplace_back();
@@ -102,7 +104,8 @@ LinkedTree patricia_of_strings(std::size_t n, double p, Stream& stream) {
 }
 
 LinkedTree catalan_by_remy(std::size_t n, Stream& stream) {
-  // Knuth's algorithm R (TAOCP 4A, 7.2.1.6): L[0] is the root; odd numbers are internal nodes, even ones external.
+  // Knuth's algorithm R (TAOCP 4A, 7.2.1.6): L[0] is the root; odd numbers are internal nodes, even ones
+  // external.
   std::vector<std::size_t> links(2 * n + 1, 0);
   for (std::size_t k = 1; k <= n; ++k) {
     const std::size_t x = uniform_below(stream, 4 * k - 2);
@@ -114,7 +117,8 @@ LinkedTree catalan_by_remy(std::size_t n, Stream& stream) {
   const auto number = [](std::size_t link) { return link % 2 == 1 ? static_cast<int>(link / 2) : -1; };
   LinkedTree tree;
   tree.root = number(links[0]);
-  for (std::size_t i = 0; i < n; ++i) tree.nodes.push_back({number(links[2 * i + 1]), number(links[2 * i + 2])});
+  for (std::size_t i = 0; i < n; ++i)
+    tree.nodes.push_back({number(links[2 * i + 1]), number(links[2 * i + 2])});
   return tree;
 }
 
@@ -124,6 +128,8 @@ LinkedTree beta_by_order_statistics(std::size_t n, std::size_t a, std::size_t b,
   return tree;
 }
 
-OrderAndHeight order_and_height(const LinkedTree& tree) { return look_below(tree, tree.root); }
+OrderAndHeight order_and_height(const LinkedTree& tree) {
+  return look_below(tree, tree.root);
+}
 
 }  // namespace ramify::test

@@ -23,14 +23,15 @@ struct LinkedTree {
 /// A random permutation of n keys inserted into a binary search tree (A14).
 LinkedTree bst_by_insertion(std::size_t n, Stream& stream);
 
-/// n random bit strings inserted into a digital search tree: a string goes down by its own bits, left with probability p,
-/// and takes the first free place (A11).
+/// n random bit strings inserted into a digital search tree: a string goes down by its own bits, left with
+/// probability p, and takes the first free place (A11).
 LinkedTree dst_by_insertion(std::size_t n, double p, Stream& stream);
 
 /// The trie of n+1 random bit strings, its one-child nodes contracted (A12, A13).
 LinkedTree patricia_of_strings(std::size_t n, double p, Stream& stream);
 
-/// Remy's algorithm (1985): a new leaf grows out of a uniformly chosen node, on a uniformly chosen side (A15, A16).
+/// Remy's algorithm (1985): a new leaf grows out of a uniformly chosen node, on a uniformly chosen side (A15,
+/// A16).
 LinkedTree catalan_by_remy(std::size_t n, Stream& stream);
 
 /// Floor split tree with X the a-th smallest of a+b-1 uniforms, which is beta(a,b); whole a, b >= 1 (A8).

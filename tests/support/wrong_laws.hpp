@@ -2,11 +2,12 @@
 
 #include <vector>
 
+#include "support/reference_laws.hpp"
+
 #include "ramify/model/catalan.hpp"
 #include "ramify/model/split_law.hpp"
 #include "ramify/random/uniform.hpp"
 #include "ramify/random/variates.hpp"
-#include "support/reference_laws.hpp"
 
 namespace ramify::test {
 

@@ -1,15 +1,14 @@
-#include "ramify/core/error.hpp"
-
-#include <gtest/gtest.h>
-
 #include <string>
 #include <vector>
 
+#include <gtest/gtest.h>
+
 #include "ramify/core/cancellation.hpp"
 #include "ramify/core/contract.hpp"
+#include "ramify/core/error.hpp"
 #include "ramify/core/nearest_name.hpp"
-#include "ramify/random/uniform.hpp"
 #include "ramify/random/stream.hpp"
+#include "ramify/random/uniform.hpp"
 #include "ramify/tree/tree.hpp"
 
 namespace ramify {

@@ -1,12 +1,11 @@
-#include "ramify/core/number.hpp"
-
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <string>
 
+#include <gtest/gtest.h>
+
+#include "ramify/core/number.hpp"
 #include "ramify/core/wide.hpp"
 
 namespace ramify {
@@ -23,7 +22,8 @@ TEST(ParseReal, ReadsDecimalsAndFractions) {
 }
 
 TEST(ParseReal, RefusesWhatIsNoFiniteNumber) {
-  for (const char* text : {"", "x", "0.2x", "1/0", "1/", "/2", "1/2/3", "nan", "inf", "-inf", "1e999", "0,5", " 1", "1 ", "0x10"})
+  for (const char* text : {"", "x", "0.2x", "1/0", "1/", "/2", "1/2/3", "nan", "inf", "-inf", "1e999", "0,5",
+                           " 1", "1 ", "0x10"})
     EXPECT_FALSE(parse_real(text)) << text;
 }
 
@@ -46,8 +46,11 @@ TEST(ParseCount, ReadsDigitsUnderscoresAndPowers) {
 }
 
 TEST(ParseCount, RefusesNegativesFractionsAndOverflow) {
-  for (const char* text : {"", "-1", "-0", "+1", "1.5", "1.0", "1e-3", "1e", "e6", "1e1.5", "2^64", "18446744073709551616", "1e20",
-                           "10^20", "2^", "^2", "_", "x", "1 000", " 1", "1 ", "1,000", "inf", "nan", "1e6e6", "2^3^2", "0x10"})
+  for (const char* text : {"",      "-1",    "-0",  "+1",    "1.5",  "1.0",
+                           "1e-3",  "1e",    "e6",  "1e1.5", "2^64", "18446744073709551616",
+                           "1e20",  "10^20", "2^",  "^2",    "_",    "x",
+                           "1 000", " 1",    "1 ",  "1,000", "inf",  "nan",
+                           "1e6e6", "2^3^2", "0x10"})
     EXPECT_FALSE(parse_count(text)) << text;
 }
 

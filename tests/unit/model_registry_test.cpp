@@ -1,12 +1,11 @@
-#include "ramify/model/registry.hpp"
-
-#include <gtest/gtest.h>
-
 #include <set>
 #include <string>
 #include <variant>
 
+#include <gtest/gtest.h>
+
 #include "ramify/core/error.hpp"
+#include "ramify/model/registry.hpp"
 
 namespace ramify {
 namespace {
@@ -21,8 +20,10 @@ std::string refusal(std::string_view text) {
 }
 
 ::testing::AssertionResult says(const std::string& message, std::string_view part) {
-  if (message.find('\n') != std::string::npos) return ::testing::AssertionFailure() << "more than one line: " << message;
-  if (message.find(part) == std::string::npos) return ::testing::AssertionFailure() << message << " without " << part;
+  if (message.find('\n') != std::string::npos)
+    return ::testing::AssertionFailure() << "more than one line: " << message;
+  if (message.find(part) == std::string::npos)
+    return ::testing::AssertionFailure() << message << " without " << part;
   return ::testing::AssertionSuccess();
 }
 
@@ -59,15 +60,17 @@ TEST(Model, RefusesAWrongNumberOfParameters) {
 }
 
 TEST(Model, RefusesAParameterThatIsNoNumber) {
-  for (const char* text : {"dst(x)", "dst()", "dst(nan)", "dst(inf)", "dst(-inf)", "dst(1/0)", "beta(1,inf)", "beta(nan,1)", "beta(1,)",
-                           "patricia(0.2x)", "split(1e999)", "dst(0.2))", "beta(1e308/1e-308,1)"})
+  for (const char* text :
+       {"dst(x)", "dst()", "dst(nan)", "dst(inf)", "dst(-inf)", "dst(1/0)", "beta(1,inf)", "beta(nan,1)",
+        "beta(1,)", "patricia(0.2x)", "split(1e999)", "dst(0.2))", "beta(1e308/1e-308,1)"})
     EXPECT_TRUE(says(refusal(text), "not a finite number")) << text;
 }
 
 TEST(Model, RefusesAParameterOutOfItsDomain) {
   for (const char* model : {"dst", "patricia", "split"})
     for (const char* value : {"0", "1", "-0.1", "1.5", "2/1", "-0"})
-      EXPECT_TRUE(says(refusal(std::string(model) + "(" + value + ")"), "must lie in (0,1)")) << model << value;
+      EXPECT_TRUE(says(refusal(std::string(model) + "(" + value + ")"), "must lie in (0,1)"))
+          << model << value;
   for (const char* text : {"beta(0,1)", "beta(1,0)", "beta(-1,1)", "beta(1,-2)"})
     EXPECT_TRUE(says(refusal(text), "must be a finite number above 0")) << text;
   EXPECT_EQ(refusal("beta(0.01,1000)"), "accepted");
@@ -87,7 +90,8 @@ TEST(Model, RefusesSizesItCannotDraw) {
 }
 
 TEST(Model, HashesValuesNotSpelling) {
-  EXPECT_EQ(Model::parse("patricia(0.25)").stream_cell(100), Model::parse(" patricia( 1/4 )").stream_cell(100));
+  EXPECT_EQ(Model::parse("patricia(0.25)").stream_cell(100),
+            Model::parse(" patricia( 1/4 )").stream_cell(100));
   EXPECT_EQ(Model::parse("beta(10,80)").stream_cell(5), Model::parse("beta(1e1,80.0)").stream_cell(5));
   EXPECT_EQ(Model::parse("patricia(0.25)"), Model::parse("patricia(1/4)"));
 }
@@ -95,8 +99,8 @@ TEST(Model, HashesValuesNotSpelling) {
 TEST(Model, HasACellOfItsOwnForEverySize) {
   std::set<std::uint64_t> cells;
   std::size_t asked = 0;
-  for (const char* text : {"bst", "catalan", "dst(0.25)", "dst(0.75)", "patricia(0.25)", "split(0.25)", "beta(1,11)", "beta(11,1)",
-                           "beta(1,1)", "patricia(0.2500000000000001)"})
+  for (const char* text : {"bst", "catalan", "dst(0.25)", "dst(0.75)", "patricia(0.25)", "split(0.25)",
+                           "beta(1,11)", "beta(11,1)", "beta(1,1)", "patricia(0.2500000000000001)"})
     for (const Size n : {0u, 1u, 10u, 11u, 100u, 110u, 1000000u}) {
       cells.insert(Model::parse(text).stream_cell(n));
       ++asked;

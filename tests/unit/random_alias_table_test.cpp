@@ -1,15 +1,14 @@
-#include "ramify/random/alias_table.hpp"
-
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <numeric>
 #include <vector>
 
-#include "ramify/random/stream.hpp"
 #include "support/goodness.hpp"
 #include "support/reference_laws.hpp"
 #include "support/seed.hpp"
+#include <gtest/gtest.h>
+
+#include "ramify/random/alias_table.hpp"
+#include "ramify/random/stream.hpp"
 
 namespace ramify {
 namespace {

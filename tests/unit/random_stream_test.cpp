@@ -1,13 +1,12 @@
-#include "ramify/random/stream.hpp"
-
-#include <gtest/gtest.h>
-
 #include <array>
 #include <random>
 #include <set>
 #include <vector>
 
+#include <gtest/gtest.h>
+
 #include "ramify/random/hash.hpp"
+#include "ramify/random/stream.hpp"
 
 namespace ramify {
 namespace {
@@ -41,8 +40,8 @@ TEST(Stream, StartsWithTheKnownAnswer) {
   EXPECT_EQ(stream(), 0x7e68b68aec7ba23bu);
 }
 
-// The words are Philox of (block, replicate, lane, 0): streams that differ in any of the three, or in a half of the key,
-// never share a block.
+// The words are Philox of (block, replicate, lane, 0): streams that differ in any of the three, or in a half
+// of the key, never share a block.
 TEST(Stream, IsPhiloxOfItsCounter) {
   const StreamKey key{1996, 0xfeedu};
   for (const auto lane : {Lane::growth, Lane::walk}) {
@@ -72,7 +71,8 @@ TEST(Stream, IsAUniformRandomBitGenerator) {
   EXPECT_EQ(Stream::max(), UINT64_MAX);
 }
 
-// FNV-1a of the text, finished by SplitMix64's mixer; computed by a second program from the published definitions.
+// FNV-1a of the text, finished by SplitMix64's mixer; computed by a second program from the published
+// definitions.
 TEST(HashText, NeverChanges) {
   EXPECT_EQ(hash_text(""), 0xf52a15e9a9b5e89bu);
   EXPECT_EQ(hash_text("a"), 0x2c0bdbf481420f8u);

@@ -1,14 +1,13 @@
-#include "ramify/random/uniform.hpp"
-
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <cstdint>
 #include <vector>
 
-#include "ramify/random/stream.hpp"
 #include "support/goodness.hpp"
 #include "support/seed.hpp"
+#include <gtest/gtest.h>
+
+#include "ramify/random/stream.hpp"
+#include "ramify/random/uniform.hpp"
 
 namespace ramify {
 namespace {
@@ -46,7 +45,8 @@ TEST(UniformBelow, IsDistinguishedFromABoundOffByOne) {
   EXPECT_TRUE(rejected(chi_square("uniform below 99 for 100", counts, std::vector<double>(100, 1.0))));
 }
 
-// 2^64 = 1 modulo 3: of the 2^64 words exactly one is refused, the one whose product with 3 has a low half below 1.
+// 2^64 = 1 modulo 3: of the 2^64 words exactly one is refused, the one whose product with 3 has a low half
+// below 1.
 TEST(UniformBelow, RefusesTheWordsThatWouldBiasIt) {
   Script biased({0, UINT64_MAX});
   EXPECT_EQ(uniform_below(biased, 3), 2u);

@@ -1,20 +1,19 @@
-#include "ramify/random/variates.hpp"
-
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <boost/math/special_functions/beta.hpp>
-#include <boost/math/special_functions/digamma.hpp>
-#include <boost/math/special_functions/gamma.hpp>
-#include <boost/math/special_functions/trigamma.hpp>
 #include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
 
-#include "ramify/random/stream.hpp"
 #include "support/goodness.hpp"
 #include "support/seed.hpp"
+#include <boost/math/special_functions/beta.hpp>
+#include <boost/math/special_functions/digamma.hpp>
+#include <boost/math/special_functions/gamma.hpp>
+#include <boost/math/special_functions/trigamma.hpp>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "ramify/random/stream.hpp"
+#include "ramify/random/variates.hpp"
 
 namespace ramify {
 namespace {
@@ -35,7 +34,8 @@ std::size_t bin_of(double level) {
 
 /// P(X <= x) from the end that x is nearer to.
 double beta_level(const UnitPair& pair, double a, double b) {
-  return pair.x <= pair.complement ? boost::math::ibeta(a, b, pair.x) : boost::math::ibetac(b, a, pair.complement);
+  return pair.x <= pair.complement ? boost::math::ibeta(a, b, pair.x)
+                                   : boost::math::ibetac(b, a, pair.complement);
 }
 
 struct Shapes {
@@ -107,8 +107,8 @@ std::vector<double> binomial_law(std::uint64_t m, double p) {
   std::vector<double> law;
   const double trials = static_cast<double>(m);
   for (double k = 0; k <= trials; ++k)
-    law.push_back(std::exp(std::lgamma(trials + 1) - std::lgamma(k + 1) - std::lgamma(trials - k + 1) + k * std::log(p) +
-                           (trials - k) * std::log1p(-p)));
+    law.push_back(std::exp(std::lgamma(trials + 1) - std::lgamma(k + 1) - std::lgamma(trials - k + 1) +
+                           k * std::log(p) + (trials - k) * std::log1p(-p)));
   return law;
 }
 
@@ -118,13 +118,15 @@ struct Binomial {
 };
 
 TEST(BinomialVariate, AgreesWithItsLaw) {
-  const std::vector<Binomial> cases{{1, 0.3}, {10, 0.5}, {100, 0.01}, {100, 0.99}, {100, 0.3}, {1000, 0.23}, {5000, 0.77}};
+  const std::vector<Binomial> cases{{1, 0.3},   {10, 0.5},    {100, 0.01}, {100, 0.99},
+                                    {100, 0.3}, {1000, 0.23}, {5000, 0.77}};
   for (const auto& [trials, p] : cases) {
     Stream stream({seed_of("binomial"), trials}, static_cast<std::uint64_t>(1000 * p));
     std::vector<std::uint64_t> counts(trials + 1, 0);
     for (int i = 0; i < 200000; ++i) ++counts.at(binomial_variate(stream, trials, p));
     EXPECT_TRUE(agrees(chi_square("binomial", counts, binomial_law(trials, p))));
-    EXPECT_TRUE(rejected(chi_square("binomial, p 3 % low", counts, binomial_law(trials, 0.97 * p), 200000.0 / 64)));
+    EXPECT_TRUE(
+        rejected(chi_square("binomial, p 3 % low", counts, binomial_law(trials, 0.97 * p), 200000.0 / 64)));
   }
 }
 
@@ -152,9 +154,9 @@ std::vector<double> inner_law(std::uint64_t m, double p) {
 }
 
 TEST(InnerBinomialVariate, AgreesWithItsLaw) {
-  const std::vector<Binomial> cases{{2, 0.3},    {3, 0.5},     {3, 0.1},       {16, 0.5},     {17, 0.5},   {17, 0.501},
-                                    {20, 0.01},  {20, 0.99},   {100, 0.0799},  {100, 0.0801}, {100, 0.95}, {1000, 1e-4},
-                                    {1000, 0.3}, {1000, 0.999}};
+  const std::vector<Binomial> cases{{2, 0.3},    {3, 0.5},     {3, 0.1},    {16, 0.5},     {17, 0.5},
+                                    {17, 0.501}, {20, 0.01},   {20, 0.99},  {100, 0.0799}, {100, 0.0801},
+                                    {100, 0.95}, {1000, 1e-4}, {1000, 0.3}, {1000, 0.999}};
   for (const auto& [trials, p] : cases) {
     Stream stream({seed_of("inner binomial"), trials}, static_cast<std::uint64_t>(10000 * p));
     std::vector<std::uint64_t> counts(trials + 1, 0);
@@ -162,7 +164,8 @@ TEST(InnerBinomialVariate, AgreesWithItsLaw) {
     EXPECT_TRUE(agrees(chi_square("inner binomial", counts, inner_law(trials, p))));
     EXPECT_EQ(counts.front() + counts.back(), 0u);
     if (trials == 2) continue;  // 1 is the only outcome
-    EXPECT_TRUE(rejected(chi_square("inner binomial, p 10 % low", counts, inner_law(trials, 0.9 * p), 100000.0 / 64)));
+    EXPECT_TRUE(rejected(
+        chi_square("inner binomial, p 10 % low", counts, inner_law(trials, 0.9 * p), 100000.0 / 64)));
   }
 }
 
@@ -172,7 +175,7 @@ TEST(InnerBinomialVariate, HoldsAtTheEndsOfP) {
   for (int i = 0; i < 20000; ++i) {
     EXPECT_EQ(inner_binomial_variate(stream, 2, 1e-9), 1u);
     EXPECT_EQ(inner_binomial_variate(stream, 2, 1 - 1e-9), 1u);
-    rare_low += inner_binomial_variate(stream, 1000, 1e-9) != 1 ? 1 : 0;       // probability 5e-7
+    rare_low += inner_binomial_variate(stream, 1000, 1e-9) != 1 ? 1 : 0;  // probability 5e-7
     rare_high += inner_binomial_variate(stream, 1000, 1 - 1e-9) != 999 ? 1 : 0;
   }
   EXPECT_LE(rare_low, 2);

@@ -1,8 +1,12 @@
-#include <gtest/gtest.h>
-
 #include <map>
 #include <string>
 #include <vector>
+
+#include "support/definitions.hpp"
+#include "support/goodness.hpp"
+#include "support/seed.hpp"
+#include "support/shape.hpp"
+#include <gtest/gtest.h>
 
 #include "ramify/random/stream.hpp"
 #include "ramify/statistic/balance.hpp"
@@ -13,10 +17,6 @@
 #include "ramify/statistic/last_node_depth.hpp"
 #include "ramify/tree/measure.hpp"
 #include "ramify/tree/parenthesis_word.hpp"
-#include "support/definitions.hpp"
-#include "support/goodness.hpp"
-#include "support/seed.hpp"
-#include "support/shape.hpp"
 
 namespace ramify {
 namespace {
@@ -77,15 +77,16 @@ TEST(Folds, ObeyTheBoundsOnEveryTreeToEightNodes) {
 }
 
 TEST(Folds, AreTheDefinitionsOnWiderTrees) {
-  for (const char* word : {"(EEE)", "(EEEE)", "((EE)EE)", "((EE)(EE)E)", "((EEE)(EE)(EE))", "(E(EEE)((EE)(EE)))",
-                           "(((EE)(EE))((EE)(EE))(EEE))", "(E((EEE)(EEE)(EEE))(EE)E)"})
+  for (const char* word : {"(EEE)", "(EEEE)", "((EE)EE)", "((EE)(EE)E)", "((EEE)(EE)(EE))",
+                           "(E(EEE)((EE)(EE)))", "(((EE)(EE))((EE)(EE))(EEE))", "(E((EEE)(EEE)(EEE))(EE)E)"})
     expect_definitions(test::read_shape(word));
 }
 
 // B22: one more than the largest order m where two children or more have it, however many.
 TEST(HortonStrahler, TakesTheKaryRule) {
   const std::vector<std::pair<const char*, std::size_t>> trees{
-      {"(EEE)", 1}, {"(EEEEEE)", 1}, {"((EE)EE)", 1}, {"((EE)(EE)E)", 2}, {"(E(EE)E(EE)(EE))", 2}, {"((E)(EE))", 1}, {"((EE))", 1}};
+      {"(EEE)", 1},     {"(EEEEEE)", 1}, {"((EE)EE)", 1}, {"((EE)(EE)E)", 2}, {"(E(EE)E(EE)(EE))", 2},
+      {"((E)(EE))", 1}, {"((EE))", 1}};
   for (const auto& [word, order] : trees) {
     HortonStrahler fold;
     EXPECT_EQ(measure(from_parentheses(word), fold), order) << word;
@@ -93,7 +94,8 @@ TEST(HortonStrahler, TakesTheKaryRule) {
 }
 
 TEST(HortonStrahler, KnowsTheLargestOrder) {
-  const std::vector<std::pair<Size, std::size_t>> sizes{{0, 0}, {1, 1}, {2, 1}, {3, 2}, {6, 2}, {7, 3}, {1023, 10}, {max_size, 62}};
+  const std::vector<std::pair<Size, std::size_t>> sizes{{0, 0}, {1, 1}, {2, 1},     {3, 2},
+                                                        {6, 2}, {7, 3}, {1023, 10}, {max_size, 62}};
   for (const auto& [n, order] : sizes) EXPECT_EQ(HortonStrahler::largest_order(n), order);
 }
 
@@ -150,8 +152,18 @@ TEST_P(DrawnTrees, HaveThePrintedStatistics) {
 INSTANTIATE_TEST_SUITE_P(
     Catalogue, DrawnTrees,
     ::testing::Values(
-        Fixture{"A2", "(((E(EE))E)(((E(EE))(((EE)E)E))((EE)((((EE)((EE)E))E)((E(EE))E)))))", 22, 9, {23, 15, 5, 2}, {}},
-        Fixture{"A2b", "((E(EE))(((EE)((EE)E))(((((E(EE))E)E)(E((E(EE))(EE))))(E(E(EE))))))", 22, 9, {23, 15, 5, 2}, {}},
+        Fixture{"A2",
+                "(((E(EE))E)(((E(EE))(((EE)E)E))((EE)((((EE)((EE)E))E)((E(EE))E)))))",
+                22,
+                9,
+                {23, 15, 5, 2},
+                {}},
+        Fixture{"A2b",
+                "((E(EE))(((EE)((EE)E))(((((E(EE))E)E)(E((E(EE))(EE))))(E(E(EE))))))",
+                22,
+                9,
+                {23, 15, 5, 2},
+                {}},
         Fixture{"A6", "((E(E(EE)))((E(EE))((E(EE))((EE)(E(E(EE)))))))", 15, 8, {16, 11, 4}, {16, 5, 1}},
         Fixture{"B8", "((((EE)E)E)(((EE)E)E))", 7, 5, {8, 6, 1}, {8, 2, 1}},
         Fixture{"A13", "((EE)((EE)E))", 4, 4, {5, 3, 1}, {5, 2, 1}}),
@@ -160,7 +172,8 @@ INSTANTIATE_TEST_SUITE_P(
 // The walk to the last node, tree by tree: every depth as often as the definition says.
 TEST(LastNodeDepth, FollowsItsLawOnStoredTrees) {
   std::uint64_t replicate = 0;
-  for (const char* word : {"((EE)(EE))", "((E(E(EE)))((E(EE))((E(EE))((EE)(E(E(EE)))))))", "((EE)((EE)E)(E(EE)E))"}) {
+  for (const char* word :
+       {"((EE)(EE))", "((E(E(EE)))((E(EE))((E(EE))((EE)(E(E(EE)))))))", "((EE)((EE)E)(E(EE)E))"}) {
     const Tree tree = from_parentheses(word);
     const auto law = test::last_node_depth_law(test::read_shape(word));
     std::vector<std::uint64_t> counts(16, 0);

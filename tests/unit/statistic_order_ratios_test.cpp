@@ -1,12 +1,11 @@
-#include "ramify/statistic/order_ratios.hpp"
-
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <vector>
 
 #include "support/definitions.hpp"
 #include "support/shape.hpp"
+#include <gtest/gtest.h>
+
+#include "ramify/statistic/order_ratios.hpp"
 
 namespace ramify {
 namespace {

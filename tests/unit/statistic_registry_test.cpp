@@ -1,13 +1,12 @@
-#include "ramify/statistic/registry.hpp"
-
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <set>
 #include <string>
 #include <vector>
 
+#include <gtest/gtest.h>
+
 #include "ramify/core/error.hpp"
+#include "ramify/statistic/registry.hpp"
 #include "ramify/statistic/tree_sampler.hpp"
 
 namespace ramify {
@@ -34,14 +33,17 @@ TEST(StatisticSet, RefusesWhatItDoesNotKnow) {
 TEST(StatisticSet, NamesItsColumnsBySizeAlone) {
   const auto set = StatisticSet::parse(Names{"height", "streams", "strahler"});
   EXPECT_EQ(set.columns(0), (Names{"height", "streams_0", "strahler"}));
-  EXPECT_EQ(set.columns(7), (Names{"height", "streams_0", "streams_1", "streams_2", "streams_3", "strahler"}));
+  EXPECT_EQ(set.columns(7),
+            (Names{"height", "streams_0", "streams_1", "streams_2", "streams_3", "strahler"}));
   EXPECT_TRUE(set.contains("streams"));
   EXPECT_FALSE(set.contains("nodes"));
 }
 
 TEST(StatisticSet, AsksForTheFullPassOnlyWhereItMust) {
-  EXPECT_FALSE(StatisticSet::parse(Names{"size", "strahler", "height", "nodes", "streams"}).needs_full_pass());
-  for (const char* name : {"depth", "fill_level", "balance"}) EXPECT_TRUE(StatisticSet::parse(Names{name}).needs_full_pass());
+  EXPECT_FALSE(
+      StatisticSet::parse(Names{"size", "strahler", "height", "nodes", "streams"}).needs_full_pass());
+  for (const char* name : {"depth", "fill_level", "balance"})
+    EXPECT_TRUE(StatisticSet::parse(Names{name}).needs_full_pass());
 }
 
 TEST(Statistics, HaveEachADifferentName) {
@@ -51,7 +53,8 @@ TEST(Statistics, HaveEachADifferentName) {
     EXPECT_FALSE(info.convention.empty());
     EXPECT_FALSE(info.source.empty());
   }
-  for (const char* name : {"size", "strahler", "height", "depth", "fill_level", "balance", "nodes", "streams"})
+  for (const char* name :
+       {"size", "strahler", "height", "depth", "fill_level", "balance", "nodes", "streams"})
     EXPECT_TRUE(names.contains(name)) << name;
 }
 
@@ -61,7 +64,8 @@ TEST(WriteStatistics, WritesEveryColumnInOrder) {
   const auto sampler = make_tree_sampler(Model::parse("split(0.25)"), true, never);
   TreeMeasures measures;
   sampler->sample(15, {0, 0}, 0, measures);
-  const auto set = StatisticSet::parse(Names{"streams", "size", "nodes", "height", "nodes_mean_ratio", "streams_geometric"});
+  const auto set = StatisticSet::parse(
+      Names{"streams", "size", "nodes", "height", "nodes_mean_ratio", "streams_geometric"});
   std::vector<StatisticValue> row;
   write_statistics(set, measures, row);
   ASSERT_EQ(row.size(), set.columns(15).size());

@@ -1,17 +1,16 @@
-#include "ramify/tree/grow.hpp"
-
-#include <gtest/gtest.h>
-
 #include <string>
 #include <vector>
 
-#include "ramify/core/error.hpp"
-#include "ramify/statistic/tree_sampler.hpp"
-#include "ramify/tree/measure.hpp"
-#include "ramify/tree/parenthesis_word.hpp"
 #include "support/definitions.hpp"
 #include "support/growing.hpp"
 #include "support/seed.hpp"
+#include <gtest/gtest.h>
+
+#include "ramify/core/error.hpp"
+#include "ramify/statistic/tree_sampler.hpp"
+#include "ramify/tree/grow.hpp"
+#include "ramify/tree/measure.hpp"
+#include "ramify/tree/parenthesis_word.hpp"
 
 namespace ramify {
 namespace {
@@ -58,7 +57,8 @@ TEST_P(EveryModel, GrowsTheTreeItStores) {
   }
 }
 
-// A grown tree against the definitions: every statistic of trees of 40 nodes, the depth among its possible values.
+// A grown tree against the definitions: every statistic of trees of 40 nodes, the depth among its possible
+// values.
 TEST_P(EveryModel, MeasuresByTheDefinitions) {
   const Model model = Model::parse(GetParam());
   const Cancellation never;
@@ -89,24 +89,27 @@ TEST_P(EveryModel, ReplaysOneTreeAlone) {
   const auto other = sampler->clone();
   const StreamKey key{seed_of("replay"), model.stream_cell(300)};
   TreeMeasures in_order, alone;
-  for (std::uint64_t replicate = 0; replicate < 5; ++replicate) sampler->sample(300, key, replicate, in_order);
+  for (std::uint64_t replicate = 0; replicate < 5; ++replicate)
+    sampler->sample(300, key, replicate, in_order);
   other->sample(300, key, 4, alone);
   EXPECT_EQ(in_order.nodes, alone.nodes);
   EXPECT_EQ(in_order.height, alone.height);
   EXPECT_EQ(in_order.depth, alone.depth);
 }
 
-INSTANTIATE_TEST_SUITE_P(Models, EveryModel, ::testing::ValuesIn(test::all_models()), [](const auto& instance) {
-  std::string name = instance.param;
-  for (char& c : name)
-    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Models, EveryModel, ::testing::ValuesIn(test::all_models()),
+                         [](const auto& instance) {
+                           std::string name = instance.param;
+                           for (char& c : name)
+                             if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+                           return name;
+                         });
 
 using LeanFold = Joint<Height, HortonStrahler>;
 using ChainGrower = Grower<SplitTree<FixedSplit>, LeanFold, Stream>;
 
-// 24 bytes a level: the label, its sibling and 8 bytes of values. A segment of 4096 slots has one that is not used.
+// 24 bytes a level: the label, its sibling and 8 bytes of values. A segment of 4096 slots has one that is not
+// used.
 TEST(Grower, KeepsAChainOfTenMillionLevelsIn24BytesALevel) {
   const Size n = 10000000;
   const Cancellation never;

@@ -1,12 +1,11 @@
-#include "ramify/tree/parenthesis_word.hpp"
-
-#include <gtest/gtest.h>
-
 #include <string>
 #include <vector>
 
-#include "ramify/core/error.hpp"
 #include "support/shape.hpp"
+#include <gtest/gtest.h>
+
+#include "ramify/core/error.hpp"
+#include "ramify/tree/parenthesis_word.hpp"
 
 namespace ramify {
 namespace {
@@ -24,11 +23,14 @@ TEST(ParenthesisWord, RoundTripsEveryTreeToEightNodes) {
 }
 
 TEST(ParenthesisWord, ReadsAnyArity) {
-  for (const char* word : {"(E)", "((E))", "(EEE)", "(E(EEEE)(E))"}) EXPECT_EQ(to_parentheses(from_parentheses(word)), word);
+  for (const char* word : {"(E)", "((E))", "(EEE)", "(E(EEEE)(E))"})
+    EXPECT_EQ(to_parentheses(from_parentheses(word)), word);
   EXPECT_EQ(from_parentheses("(E(EEEE)(E))").size(), 3u);
 }
 
-TEST(ParenthesisWord, SkipsWhiteSpace) { EXPECT_EQ(from_parentheses(" ( E\n\t(E E)\r\n)\n"), from_parentheses("(E(EE))")); }
+TEST(ParenthesisWord, SkipsWhiteSpace) {
+  EXPECT_EQ(from_parentheses(" ( E\n\t(E E)\r\n)\n"), from_parentheses("(E(EE))"));
+}
 
 struct Refusal {
   std::string text;
@@ -78,8 +80,10 @@ TEST(ParenthesisWord, NeedsNoRecursion) {
 
 TEST(Tree, KnowsAWellFormedWord) {
   using Word = std::vector<std::uint32_t>;
-  for (const Word& word : {Word{0}, Word{2, 0, 0}, Word{1, 0}, Word{3, 0, 2, 0, 0, 0}}) EXPECT_TRUE(Tree::is_well_formed(word));
-  for (const Word& word : {Word{}, Word{0, 0}, Word{2}, Word{2, 0}, Word{2, 0, 0, 0}, Word{0, 2, 0}, Word{1, 0, 0}})
+  for (const Word& word : {Word{0}, Word{2, 0, 0}, Word{1, 0}, Word{3, 0, 2, 0, 0, 0}})
+    EXPECT_TRUE(Tree::is_well_formed(word));
+  for (const Word& word :
+       {Word{}, Word{0, 0}, Word{2}, Word{2, 0}, Word{2, 0, 0, 0}, Word{0, 2, 0}, Word{1, 0, 0}})
     EXPECT_FALSE(Tree::is_well_formed(word));
 }
 

@@ -9,7 +9,7 @@
 #include "ramify/core/contract.hpp"
 #include "ramify/core/error.hpp"
 #include "ramify/core/number.hpp"
-#include "ramify/fit/parallel.hpp"
+#include "ramify/core/parallel.hpp"
 #include "ramify/model/registry.hpp"
 #include "ramify/statistic/tree_sampler.hpp"
 
@@ -78,14 +78,14 @@ std::vector<ResponsePoint> ResponseSurface::sample(std::span<const ResponseReque
   std::vector<std::unique_ptr<TreeSampler>> samplers(requests.size());
   std::vector<StreamKey> keys(requests.size());
   std::vector<std::vector<RatioValues>> values(requests.size());
-  parallel_for(requests.size(), threads_, [&](std::size_t i) {
+  parallel_for(requests.size(), threads_, [&](std::size_t i, unsigned) {
     const Model model = Model::parse(fmt::format("{}({})", model_, format_exact(requests[i].p)));
     samplers[i] = make_tree_sampler(model, false, *cancellation_);
     keys[i] = {seed_, model.stream_cell(n_)};
     values[i].resize(requests[i].trees);
   });
   const std::vector<Block> blocks = divide(requests);
-  parallel_for(blocks.size(), threads_, [&](std::size_t b) {
+  parallel_for(blocks.size(), threads_, [&](std::size_t b, unsigned) {
     // The sampler looks once in a million nodes, but it is a new one for every block.
     if (cancellation_->requested()) throw Interrupted();
     const Block& block = blocks[b];

@@ -9,8 +9,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-extern "C" char** environ;
-
 namespace ramify::detail {
 namespace {
 
@@ -19,8 +17,8 @@ using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 constexpr int not_installed = 127;
 
 std::string last_line(std::FILE* file) {
-  std::rewind(file);
   std::string line, last;
+  if (std::fseek(file, 0, SEEK_SET) != 0) return last;
   for (int c = std::fgetc(file); c != EOF; c = std::fgetc(file)) {
     if (c != '\n') {
       line += static_cast<char>(c);
