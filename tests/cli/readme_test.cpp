@@ -1,4 +1,4 @@
-// Every command that README.md shows is run, as it stands.
+// Every command of the program that README.md and docs/ show is run, as it stands.
 #include <gtest/gtest.h>
 
 #include "program.hpp"
@@ -14,14 +14,29 @@ std::vector<std::string> commands(const std::string& text) {
   return found;
 }
 
-TEST(Readme, EveryCommandOfTheProgramRuns) {
-  const auto all = commands(read_file(std::string(RAMIFY_SOURCE) + "/README.md"));
-  ASSERT_GE(all.size(), 6u);
-  for (const auto& command : all) {
-    const Ran ran = ramify(command);
-    EXPECT_EQ(ran.code, 0) << command << '\n' << ran.err;
-    EXPECT_FALSE(ran.out.empty()) << command;
+/// A folder that has what the pages assume: the project's data and configs, and the reader's own table.
+void furnish(const Scratch& scratch) {
+  for (const char* name : {"data", "configs"})
+    std::filesystem::create_directory_symlink(std::filesystem::path(RAMIFY_SOURCE) / name, scratch / name);
+  scratch.file("mine.csv", "order,count\n1,279\n2,52\n3,7\n4,1\n");
+}
+
+TEST(Pages, EveryCommandOfTheProgramRuns) {
+  const Scratch scratch;
+  furnish(scratch);
+  std::vector<std::filesystem::path> pages{std::filesystem::path(RAMIFY_SOURCE) / "README.md"};
+  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(RAMIFY_SOURCE) / "docs"))
+    if (entry.path().extension() == ".md") pages.push_back(entry.path());
+  std::size_t count = 0;
+  for (const auto& page : pages) {
+    for (const auto& command : commands(read_file(page))) {
+      const Ran ran = shell("cd " + scratch.path().string() + " && " + RAMIFY_PROGRAM + " " + command);
+      EXPECT_EQ(ran.code, 0) << page << ": " << command << '\n' << ran.err;
+      ++count;
+    }
   }
+  EXPECT_GE(count, 9u);
+  EXPECT_TRUE(std::filesystem::exists(scratch / "mine_fit.csv"));
 }
 
 TEST(Readme, TheVerdictTableIsTheReferenceRun) {
