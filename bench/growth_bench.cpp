@@ -1,7 +1,7 @@
 // Growing and folding in one pass that stores nothing, against the same statistics on a tree of one `new` per
 // node: order, height, and node and stream counts per order, from the same random numbers, on one core.
 // `ratio` is against a tree whose external nodes are nodes too (2n+1 times `new`), `lean_ratio` against one
-// that makes them null pointers (n).
+// that makes them null pointers (n); each on a fresh and on a warm heap (Heap below).
 #include <string>
 
 #if defined(__GLIBC__)
@@ -48,17 +48,23 @@ struct PointerTimes {
   double destroy = 0;
 };
 
-/// Every tree begins on a fresh heap, as the first one of a program does: free lists that the last tree left
-/// in disorder would scatter its nodes and make it look slower than it is.
-void start_on_fresh_heap() {
+/// The heap a pointer tree is built on: it decides as much as the tree does.
+enum class Heap {
+  fresh,  ///< nothing allocated yet, as for the first tree of a program: the build pays for the page faults
+  warm,   ///< left by an equal tree just deleted: no page faults, the kinder of the two to the pointer tree
+};
+
+template <External external, class Grammar>
+void prepare_heap(Heap heap, const Grammar& grammar, Size n, Stream stream) {
 #if defined(__GLIBC__)
-  malloc_trim(0);
+  malloc_trim(0);  // else free lists in the disorder of the last tree would scatter the next one
 #endif
+  if (heap == Heap::warm) delete_pointer_tree(build_pointer_tree<external>(grammar, n, stream));
 }
 
 template <External external, class Grammar>
-Measured measure_pointer_tree(const Grammar& grammar, Size n, Stream stream, PointerTimes& times) {
-  start_on_fresh_heap();
+Measured measure_pointer_tree(Heap heap, const Grammar& grammar, Size n, Stream stream, PointerTimes& times) {
+  prepare_heap<external>(heap, grammar, n, stream);
   PointerNode* tree = nullptr;
   LeanFold fold;
   LeanFold::Value root{};
@@ -74,6 +80,7 @@ Measured measure_pointer_tree(const Grammar& grammar, Size n, Stream stream, Poi
 template <class Law>
 void growth(benchmark::State& state, const Law& law) {
   const auto n = static_cast<Size>(state.range(0));
+  const auto heap = static_cast<Heap>(state.range(1));
   const SplitTree<Law> grammar(law);
   const Cancellation cancellation;
   Grower<SplitTree<Law>, LeanFold, Stream> grower(cancellation);
@@ -86,8 +93,8 @@ void growth(benchmark::State& state, const Law& law) {
     LeanFold::Value root{};
     streamed += cpu_seconds([&, words = stream]() mutable { root = grower(grammar, n, words, fold); });
     const Measured measured(root, fold);
-    if (measure_pointer_tree<External::allocated>(grammar, n, stream, full) != measured ||
-        measure_pointer_tree<External::null>(grammar, n, stream, lean) != measured) {
+    if (measure_pointer_tree<External::allocated>(heap, grammar, n, stream, full) != measured ||
+        measure_pointer_tree<External::null>(heap, grammar, n, stream, lean) != measured) {
       state.SkipWithError("the streamed and the stored tree differ");
       break;
     }
@@ -107,9 +114,8 @@ void register_model(const std::string& text) {
       [&](const auto& law) {
         benchmark::RegisterBenchmark(("growth/" + text).c_str(),
                                      [law](benchmark::State& state) { growth(state, law); })
-            ->ArgName("n")
-            ->Arg(1'000'000)
-            ->Arg(10'000'000)
+            ->ArgNames({"n", "warm"})
+            ->ArgsProduct({{1'000'000, 10'000'000}, {0, 1}})
             ->Iterations(1)
             ->Unit(benchmark::kMillisecond);
       },

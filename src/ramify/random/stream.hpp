@@ -45,14 +45,7 @@ class Stream {
   static constexpr std::size_t blocks = 4;
   static constexpr std::size_t block_words = 4;
 
-  void refill() noexcept {
-    for (std::size_t block = 0; block < blocks; ++block) {
-      const auto words = r123::Philox4x64{}(counter_, key_);
-      for (std::size_t i = 0; i < block_words; ++i) words_[block * block_words + i] = words[i];
-      ++counter_[0];
-    }
-    next_ = 0;
-  }
+  void refill() noexcept;  // out of line: the growing loop keeps the registers
 
   r123::Philox4x64::key_type key_;
   r123::Philox4x64::ctr_type counter_;

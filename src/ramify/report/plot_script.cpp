@@ -83,7 +83,7 @@ class Script {
   }
 
   std::size_t legend_columns() const {
-    const std::size_t entry = 62 + 8 * longest_label_;
+    const std::size_t entry = 62 + 10 * longest_label_;  // as wide as gnuplot takes them to be
     return std::max<std::size_t>(1, static_cast<std::size_t>(width - left - right) / entry);
   }
 

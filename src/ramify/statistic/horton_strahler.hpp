@@ -24,24 +24,28 @@ class HortonStrahler {
   using Counts = std::array<std::uint64_t, orders>;
 
   Value external() {
-    ++nodes_[0];
+    ++externals_;
     return 0;
   }
 
   template <class Label, class Labels, class Values>
   Value join(const Label&, const Labels&, const Values& orders_below) {
-    const Value order = join_orders(orders_below);
-    ++nodes_[order];
-    return order;
+    return join_orders(orders_below);
   }
 
   /// Nodes of order k.
-  const Counts& nodes() const { return nodes_; }
+  Counts nodes() const {
+    Counts nodes{};
+    nodes[0] = externals_;
+    for (std::size_t k = 0; k < orders; ++k) nodes[k] += counts_[2 * k + kept] + counts_[2 * k + born];
+    return nodes;
+  }
 
   /// Streams of order k.
   Counts streams() const {
-    Counts streams = births_;
-    streams[0] = nodes_[0];
+    Counts streams{};
+    streams[0] = externals_;
+    for (std::size_t k = 0; k < orders; ++k) streams[k] += counts_[2 * k + born];
     return streams;
   }
 
@@ -49,11 +53,14 @@ class HortonStrahler {
   static std::size_t largest_order(Size n) { return static_cast<std::size_t>(std::bit_width(n + 1)) - 1; }
 
  private:
+  // A node keeps the order of a child, or it begins a stream of an order of its own: one counter for either.
+  static constexpr std::size_t kept = 0, born = 1;
+
   Value join_orders(const Pair<Value>& below) {
     const Value left = below[0], right = below[1];
-    const bool raised = left == right;
-    const auto order = static_cast<Value>((left > right ? left : right) + (raised ? 1 : 0));
-    births_[order] += raised ? 1 : 0;
+    const Value higher = left > right ? left : right, lower = left > right ? right : left;
+    const auto order = static_cast<Value>(higher > lower ? higher : lower + 1);
+    ++counts_[2u * order + static_cast<unsigned>(order - higher)];
     return order;
   }
 
@@ -67,13 +74,14 @@ class HortonStrahler {
       }
       attained += order == highest ? 1 : 0;
     }
-    if (attained < 2) return highest;
-    ++births_[highest + 1u];
-    return static_cast<Value>(highest + 1);
+    const std::size_t origin = attained < 2 ? kept : born;
+    const auto order = static_cast<Value>(highest + origin);
+    ++counts_[2u * order + origin];
+    return order;
   }
 
-  Counts nodes_{};
-  Counts births_{};
+  std::array<std::uint64_t, 2 * orders> counts_{};  // of order k and origin o at 2k + o
+  std::uint64_t externals_ = 0;
 };
 
 }  // namespace ramify

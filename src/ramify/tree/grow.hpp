@@ -74,19 +74,25 @@ class Grower {
   using Label = typename G::Label;
   using Value = typename F::Value;
 
-  /// @param cancellation  looked at every 2^20 nodes; must outlive the Grower
+  /// @param cancellation  looked at every 2^20 leaves; must outlive the Grower
   explicit Grower(const Cancellation& cancellation) : cancellation_(&cancellation) {}
 
   /// The fold's value at the root; O(nodes) time. Throws Interrupted when cancelled.
   Value operator()(const G& grammar, Label label, Urbg& stream, F& fold) {
     open_.clear();
+    if (grammar.is_external(label)) return fold.external();
     for (;;) {
       Value value = descend(grammar, label, stream, fold);
-      while (!open_.empty() && open_.top().left_done()) value = close(label, value, fold);
-      if (open_.empty()) return value;
-      const Label right = open_.top().sibling();
-      open_.top().finish_left(label, value);
-      label = right;
+      for (;;) {
+        while (!open_.empty() && open_.top().left_done()) value = close(label, value, fold);
+        if (open_.empty()) return value;
+        const Label right = open_.top().sibling();
+        open_.top().finish_left(label, value);
+        label = right;
+        if (!grammar.is_external(right)) break;
+        value = close(label, fold.external(), fold);  // an external right child closes its parent at once
+      }
+      look_for_cancellation();
     }
   }
 
@@ -94,9 +100,9 @@ class Grower {
   std::size_t stack_bytes() const { return open_.capacity_bytes(); }
 
  private:
-  /// Goes down to the left until a subtree is done: opens every node on the way, leaves the finished subtree in label.
+  /// From an internal node down to the left until a subtree is done: opens every node on the way, leaves the
+  /// finished subtree in label.
   Value descend(const G& grammar, Label& label, Urbg& stream, F& fold) {
-    if (grammar.is_external(label)) return fold.external();
     for (;;) {
       const Pair<Label> children = grammar.children(label, stream);
       const bool left_external = grammar.is_external(children[0]);
@@ -121,20 +127,19 @@ class Grower {
     const Value value = fold.join(parent, Pair<Label>{node.sibling(), label}, Pair<Value>{node.left_value(), right});
     label = parent;
     open_.pop();
-    look_for_cancellation();
     return value;
   }
 
   void look_for_cancellation() {
     if (--until_look_ != 0) return;
-    until_look_ = nodes_between_looks;
+    until_look_ = leaves_between_looks;
     if (cancellation_->requested()) throw Interrupted();
   }
 
-  static constexpr std::uint32_t nodes_between_looks = 1u << 20;
+  static constexpr std::uint32_t leaves_between_looks = 1u << 20;
   SegmentedStack<OpenNode<Label, Value>> open_;
   const Cancellation* cancellation_;
-  std::uint32_t until_look_ = nodes_between_looks;
+  std::uint32_t until_look_ = leaves_between_looks;
 };
 
 }  // namespace ramify
