@@ -1,14 +1,16 @@
 // C20: the Horton-Strahler number of random binary search trees.
-//   C20.1  Theorem C.3: P{S_n >= (1+eps) log_3 n} -> 0.              True: the growth constant is below 1/log 3.
-//   C20.2  "believed to be tight", E S_n ~ log_3 n (5.1.6, App. C).  False: the constant is 1/log 3.0438.
-//   C20.3  E S_n <= log_3 n (3.2.2).                                 False at finite n (X71).
+//   C20.1  Theorem C.3: P{S_n >= (1+eps) log_3 n} -> 0.              True: the growth constant is below
+//   1/log 3. C20.2  "believed to be tight", E S_n ~ log_3 n (5.1.6, App. C).  False: the constant is
+//   1/log 3.0438. C20.3  E S_n <= log_3 n (3.2.2).                                 False at finite n (X71).
 //
-// E S_n oscillates by +-0.063 with period 3.0438 in n, and at n = 1000 it happens to be within 0.004 of log_3 n: no single size can tell
-// the two constants apart. The sizes of the config go up by that factor (the stream ratio of Kovchegov and Zaliapin
-// 2017), so every step must add exactly 1 if S_n ~ log n / log 3.0438, and log 3.0438 / log 3 = 1.0132 if S_n ~ log_3 n.
+// E S_n oscillates by +-0.063 with period 3.0438 in n, and at n = 1000 it happens to be within 0.004 of log_3
+// n: no single size can tell the two constants apart. The sizes of the config go up by that factor (the
+// stream ratio of Kovchegov and Zaliapin 2017), so every step must add exactly 1 if S_n ~ log n / log 3.0438,
+// and log 3.0438 / log 3 = 1.0132 if S_n ~ log_3 n.
 #include <cmath>
 
 #include "growth.hpp"
+
 #include "ramify/compare/judge.hpp"
 
 namespace ramify {
@@ -19,8 +21,16 @@ constexpr const char* convention = "order of the root, leaf order 0";
 const double log_3_constant = 1 / std::log(3.0);
 
 GrowthClaim tight() {
-  return {"C20.2", "K96 5.1.6 and App. C", "E S_n ~ log_3 n, bst (bound \"believed to be tight\")", convention, model,
-          "strahler", log_3_constant, 0.002, Approach::settles, ""};
+  return {"C20.2",
+          "K96 5.1.6 and App. C",
+          "E S_n ~ log_3 n, bst (bound \"believed to be tight\")",
+          convention,
+          model,
+          "strahler",
+          log_3_constant,
+          0.002,
+          Approach::settles,
+          ""};
 }
 
 /// One-sided: the whole interval of the growth constant lies at or below 1/log 3.
@@ -28,23 +38,35 @@ Verdict upper_bound(Verdict verdict) {
   verdict.claim = "C20.1";
   verdict.source = "K96 Theorem C.3";
   verdict.statement = "P{S_n >= (1+eps) log_3 n} -> 0, bst";
-  verdict.outcome = verdict.upper <= log_3_constant   ? Outcome::reproduced
+  verdict.outcome = verdict.upper <= log_3_constant  ? Outcome::reproduced
                     : verdict.lower > log_3_constant ? Outcome::refuted
                                                      : Outcome::inconclusive;
-  verdict.method = "holds if the growth constant of E S_n is at most 1/log 3; S_n is within 1 of its mean; " + verdict.method;
+  verdict.method = "holds if the growth constant of E S_n is at most 1/log 3; S_n is within 1 of its mean; " +
+                   verdict.method;
   return verdict;
 }
 
-/// E S_n - log_3 n at the size where it is clearest in standard errors; refuted where the interval is above 0.
+/// E S_n - log_3 n at the size where it is clearest in standard errors; refuted where the interval is above
+/// 0.
 Verdict finite_bound(const std::vector<SizedMean>& means) {
   const SizedMean* clearest = &means.front();
   const auto excess = [](const SizedMean& point) { return point.mean - std::log(point.n) * log_3_constant; };
   for (const auto& point : means)
-    if (excess(point) / point.standard_error > excess(*clearest) / clearest->standard_error) clearest = &point;
+    if (excess(point) / point.standard_error > excess(*clearest) / clearest->standard_error)
+      clearest = &point;
   const Interval interval = sampling_interval(excess(*clearest), clearest->standard_error);
   const Outcome outcome = interval.lower > 0 ? Outcome::refuted : Outcome::inconclusive;
-  return {"C20.3", "K96 3.2.2", "E S_n - log_3 n <= 0, bst", convention, 0, excess(*clearest), clearest->standard_error,
-          interval.lower, interval.upper, static_cast<std::uint64_t>(clearest->n), outcome,
+  return {"C20.3",
+          "K96 3.2.2",
+          "E S_n - log_3 n <= 0, bst",
+          convention,
+          0,
+          excess(*clearest),
+          clearest->standard_error,
+          interval.lower,
+          interval.upper,
+          static_cast<std::uint64_t>(clearest->n),
+          outcome,
           "sampled mean minus log_3 n at the size where it is clearest; one finite n suffices to refute"};
 }
 
@@ -56,7 +78,8 @@ std::vector<Verdict> judge_order(const std::vector<CheckedCell>& cells) {
   return verdicts;
 }
 
-/// What is left of the mean when the law through the first point is taken off: a level line for the true constant.
+/// What is left of the mean when the law through the first point is taken off: a level line for the true
+/// constant.
 PlotSeries residual(const std::string& label, double constant, const std::vector<SizedMean>& means) {
   PlotSeries series{label, PlotSeries::Style::points_line, {}, {}};
   for (const auto& point : means) {
@@ -70,20 +93,26 @@ std::vector<NamedPlot> plot_order(const std::vector<CheckedCell>& cells) {
   const auto means = means_of(cells, model, "strahler");
   if (means.empty()) return {};
   Plot plot{"Horton-Strahler number of random binary search trees",
-            "sampled mean minus the law through the first point; a law that holds stays level (two standard errors)",
-            "n (internal nodes)", "mean S_n minus law", true, false, {}};
+            "sampled mean minus the law through the first point; a law that holds stays level (two standard "
+            "errors)",
+            "n (internal nodes)",
+            "mean S_n minus law",
+            true,
+            false,
+            {}};
   plot.series.push_back(residual("minus log n / log 3: the thesis", log_3_constant, means));
-  plot.series.push_back(residual("minus log n / log 3.0438: Kovchegov and Zaliapin's ratio", 1 / std::log(3.043827861838666), means));
-  return {{"C20_bst_order", growth_plot("Horton-Strahler number of random binary search trees", "mean S_n (leaf order 0)",
-                                        {tight()}, cells)},
+  plot.series.push_back(residual("minus log n / log 3.0438: Kovchegov and Zaliapin's ratio",
+                                 1 / std::log(3.043827861838666), means));
+  return {{"C20_bst_order", growth_plot("Horton-Strahler number of random binary search trees",
+                                        "mean S_n (leaf order 0)", {tight()}, cells)},
           {"C20_bst_order_residual", plot}};
 }
 
 }  // namespace
 
 Claim bst_order_claim() {
-  return {"C20", "S_n <= (1+eps) log_3 n, believed tight: Horton-Strahler number of random BSTs", "K96 Theorem C.3, 3.2.2, 5.1.6",
-          judge_order, plot_order};
+  return {"C20", "S_n <= (1+eps) log_3 n, believed tight: Horton-Strahler number of random BSTs",
+          "K96 Theorem C.3, 3.2.2, 5.1.6", judge_order, plot_order};
 }
 
 }  // namespace ramify

@@ -1,9 +1,9 @@
 #include "claim.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <sstream>
+
+#include <fmt/format.h>
 
 #include "ramify/core/error.hpp"
 #include "ramify/core/nearest_name.hpp"
@@ -22,7 +22,8 @@ std::vector<const Claim*> find_claims(std::string_view ids) {
   std::vector<const Claim*> found;
   std::istringstream words{std::string(ids)};
   for (std::string id; words >> id;) {
-    const auto claim = std::find_if(claims().begin(), claims().end(), [&](const Claim& c) { return c.id == id; });
+    const auto claim =
+        std::find_if(claims().begin(), claims().end(), [&](const Claim& c) { return c.id == id; });
     if (claim == claims().end())
       throw Error(fmt::format("unknown claim '{}'", id), "no claim has that number",
                   did_you_mean(id, known) + "see: ramify list claims");

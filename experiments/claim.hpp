@@ -16,12 +16,14 @@ struct NamedPlot {
   Plot plot;
 };
 
-/// A claim of the sources as an experiment: the catalogue number, what it says, and how finished cells decide it.
+/// A claim of the sources as an experiment: the catalogue number, what it says, and how finished cells decide
+/// it.
 ///
-/// A config serves a claim by naming it (`claim = "C20"`, or several: "C6 C7"); judge and plots then get the cells of all configs
-/// that do. A new claim is one file here, a line in claims() and a config in configs/quick and configs/full.
+/// A config serves a claim by naming it (`claim = "C20"`, or several: "C6 C7"); judge and plots then get the
+/// cells of all configs that do. A new claim is one file here, a line in claims() and a config in
+/// configs/quick and configs/full.
 struct Claim {
-  std::string_view id;         ///< catalogue number, "C20"
+  std::string_view id;  ///< catalogue number, "C20"
   std::string_view statement;
   std::string_view source;
   /// One verdict for every part of the claim that the cells bear on.

@@ -1,18 +1,23 @@
 #include "growth.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include <fmt/format.h>
 
 namespace ramify {
 namespace {
 
 std::string describe(const GrowthClaim& claim, const GrowthConstant& growth, Outcome outcome) {
-  std::string text = fmt::format("slope of the mean on log n, n = {:.0f}..{:.0f}; drift {:+.4f} (error {:.4f}) from the middle sizes; tolerance {:g} %",
-                                 growth.slope.smallest_n, growth.slope.largest_n, growth.drift, growth.drift_error, 100 * claim.tolerance);
+  std::string text = fmt::format(
+      "slope of the mean on log n, n = {:.0f}..{:.0f}; drift {:+.4f} (error {:.4f}) from the middle sizes; "
+      "tolerance {:g} %",
+      growth.slope.smallest_n, growth.slope.largest_n, growth.drift, growth.drift_error,
+      100 * claim.tolerance);
   if (outcome != Outcome::inconclusive) return text;
-  return text + "; " + (claim.approach == Approach::drifts ? claim.why_drifts : "the interval is too wide: more trees decide it");
+  return text + "; " +
+         (claim.approach == Approach::drifts ? claim.why_drifts
+                                             : "the interval is too wide: more trees decide it");
 }
 
 Verdict judge_one(const GrowthClaim& claim, const std::vector<SizedMean>& means, const std::string& exact) {
@@ -35,7 +40,8 @@ Verdict judge_one(const GrowthClaim& claim, const std::vector<SizedMean>& means,
 }
 
 PlotSeries law_through(const GrowthClaim& claim, const std::vector<SizedMean>& means) {
-  PlotSeries law{fmt::format("{}: slope {:.4g}", claim.model, claim.theory), PlotSeries::Style::dashed, {}, {}};
+  PlotSeries law{
+      fmt::format("{}: slope {:.4g}", claim.model, claim.theory), PlotSeries::Style::dashed, {}, {}};
   const SizedMean& last = means.back();
   for (const auto& point : means)
     law.points.push_back({point.n, last.mean + claim.theory * std::log(point.n / last.n), 0});
@@ -48,21 +54,25 @@ std::vector<CheckedCell> cells_of(const std::vector<CheckedCell>& cells, std::st
   std::vector<CheckedCell> chosen;
   std::copy_if(cells.begin(), cells.end(), std::back_inserter(chosen),
                [&](const CheckedCell& cell) { return cell.result.model == model; });
-  std::sort(chosen.begin(), chosen.end(), [](const auto& a, const auto& b) { return a.result.n < b.result.n; });
+  std::sort(chosen.begin(), chosen.end(),
+            [](const auto& a, const auto& b) { return a.result.n < b.result.n; });
   return chosen;
 }
 
-std::vector<SizedMean> means_of(const std::vector<CheckedCell>& cells, std::string_view model, const std::string& column) {
+std::vector<SizedMean> means_of(const std::vector<CheckedCell>& cells, std::string_view model,
+                                const std::string& column) {
   std::vector<SizedMean> means;
   for (const auto& cell : cells_of(cells, model)) {
     const auto& summary = cell.result.column(column);
     const double least_error = 1 / static_cast<double>(cell.result.replicates);
-    means.push_back({static_cast<double>(cell.result.n), summary.mean, std::max(summary.standard_error, least_error)});
+    means.push_back(
+        {static_cast<double>(cell.result.n), summary.mean, std::max(summary.standard_error, least_error)});
   }
   return means;
 }
 
-std::string exact_note(const std::vector<CheckedCell>& cells, std::string_view model, const std::string& column) {
+std::string exact_note(const std::vector<CheckedCell>& cells, std::string_view model,
+                       const std::string& column) {
   double worst = 0;
   Size largest = 0;
   for (const auto& cell : cells_of(cells, model)) {
@@ -73,14 +83,17 @@ std::string exact_note(const std::vector<CheckedCell>& cells, std::string_view m
     }
   }
   if (largest == 0) return "no exact finite-n mean in reach";
-  return fmt::format("sampled means within {:.1f} standard errors of the exact ones to n = {}", worst, largest);
+  return fmt::format("sampled means within {:.1f} standard errors of the exact ones to n = {}", worst,
+                     largest);
 }
 
-std::vector<Verdict> judge_growth(const std::vector<GrowthClaim>& claims, const std::vector<CheckedCell>& cells) {
+std::vector<Verdict> judge_growth(const std::vector<GrowthClaim>& claims,
+                                  const std::vector<CheckedCell>& cells) {
   std::vector<Verdict> verdicts;
   for (const auto& claim : claims) {
     const auto means = means_of(cells, claim.model, claim.statistic);
-    if (means.size() >= 4) verdicts.push_back(judge_one(claim, means, exact_note(cells, claim.model, claim.statistic)));
+    if (means.size() >= 4)
+      verdicts.push_back(judge_one(claim, means, exact_note(cells, claim.model, claim.statistic)));
   }
   return verdicts;
 }
@@ -95,8 +108,14 @@ std::vector<PlotSeries> growth_series(const GrowthClaim& claim, const std::vecto
 
 Plot growth_plot(const std::string& title, const std::string& y_label, const std::vector<GrowthClaim>& claims,
                  const std::vector<CheckedCell>& cells) {
-  Plot plot{title, "points: sampled means with two standard errors; dashed: the claimed slope through the last point",
-            "n (internal nodes)", y_label, true, false, {}};
+  Plot plot{
+      title,
+      "points: sampled means with two standard errors; dashed: the claimed slope through the last point",
+      "n (internal nodes)",
+      y_label,
+      true,
+      false,
+      {}};
   for (std::size_t i = 0; i < claims.size(); ++i) {
     for (auto& series : growth_series(claims[i], cells)) {
       series.color = i;

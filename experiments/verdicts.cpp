@@ -1,8 +1,8 @@
 #include "verdicts.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
+
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "ramify/core/number.hpp"
@@ -48,7 +48,8 @@ std::optional<Evidence::WorstCheck> Evidence::worst_check() const {
       ++worst.checks;
       if (std::fabs(cell.checks[i]->z) < worst.z) continue;
       worst.z = std::fabs(cell.checks[i]->z);
-      worst.where = fmt::format("{} of {} at n = {}", cell.result.columns[i].name, cell.result.model, cell.result.n);
+      worst.where =
+          fmt::format("{} of {} at n = {}", cell.result.columns[i].name, cell.result.model, cell.result.n);
     }
   }
   if (worst.checks == 0) return std::nullopt;
@@ -56,8 +57,8 @@ std::optional<Evidence::WorstCheck> Evidence::worst_check() const {
 }
 
 std::string verdict_csv(const std::vector<Verdict>& verdicts) {
-  CsvTable table({"claim", "source", "statement", "convention", "theory", "estimate", "standard_error", "lower", "upper",
-                  "largest_n", "verdict", "method"});
+  CsvTable table({"claim", "source", "statement", "convention", "theory", "estimate", "standard_error",
+                  "lower", "upper", "largest_n", "verdict", "method"});
   for (const auto& v : verdicts)
     table.add(CsvRow()
                   .text(v.claim)
@@ -81,16 +82,20 @@ std::string verdict_text(const std::vector<Verdict>& verdicts) {
     rows.push_back({v.claim, v.statement, fmt::format("{:.4f}", v.theory),
                     fmt::format("{:.4f} [{:.4f}, {:.4f}]", v.estimate, v.lower, v.upper),
                     fmt::format("{}", v.largest_n), std::string(to_string(v.outcome))});
-  return text_table({"claim", "statement", "theory", "estimate [99 % interval]", "largest n", "verdict"}, rows);
+  return text_table({"claim", "statement", "theory", "estimate [99 % interval]", "largest n", "verdict"},
+                    rows);
 }
 
-std::vector<std::string> changed_verdicts(const std::vector<Verdict>& verdicts, const std::filesystem::path& reference) {
+std::vector<std::string> changed_verdicts(const std::vector<Verdict>& verdicts,
+                                          const std::filesystem::path& reference) {
   const CsvData committed = CsvData::read(reference);
   std::vector<std::string> changed;
   for (std::size_t row = 0; row < committed.rows(); ++row) {
     for (const auto& v : verdicts) {
-      if (v.claim != committed.at(row, "claim") || to_string(v.outcome) == committed.at(row, "verdict")) continue;
-      changed.push_back(fmt::format("{}: {}, was {}", v.claim, to_string(v.outcome), committed.at(row, "verdict")));
+      if (v.claim != committed.at(row, "claim") || to_string(v.outcome) == committed.at(row, "verdict"))
+        continue;
+      changed.push_back(
+          fmt::format("{}: {}, was {}", v.claim, to_string(v.outcome), committed.at(row, "verdict")));
     }
   }
   return changed;

@@ -22,7 +22,8 @@ class Evidence {
   /// Their plots.
   std::vector<NamedPlot> plots() const;
 
-  /// The largest |z| of any sampled mean against its exact value, and where; nothing where no law was in reach.
+  /// The largest |z| of any sampled mean against its exact value, and where; nothing where no law was in
+  /// reach.
   struct WorstCheck {
     double z;
     std::string where;
@@ -41,9 +42,10 @@ std::string verdict_csv(const std::vector<Verdict>& verdicts);
 /// The same for a terminal: claim, statement, theory, estimate with its interval, largest n, verdict.
 std::string verdict_text(const std::vector<Verdict>& verdicts);
 
-/// Claims whose verdict differs from the one in a committed verdicts.csv, "C20.2: refuted, was inconclusive"; claims
-/// that only one of the two has are passed over. Throws Error where the file cannot be read.
-std::vector<std::string> changed_verdicts(const std::vector<Verdict>& verdicts, const std::filesystem::path& reference);
+/// Claims whose verdict differs from the one in a committed verdicts.csv, "C20.2: refuted, was inconclusive";
+/// claims that only one of the two has are passed over. Throws Error where the file cannot be read.
+std::vector<std::string> changed_verdicts(const std::vector<Verdict>& verdicts,
+                                          const std::filesystem::path& reference);
 
 /// verdict.json of one run folder.
 std::string verdict_json(const std::vector<Verdict>& verdicts);

@@ -1,9 +1,9 @@
+#include "session.hpp"
 #include <fmt/format.h>
 
 #include "ramify/core/number.hpp"
 #include "ramify/fit/fit_table.hpp"
 #include "ramify/fit/ratio_fitter.hpp"
-#include "session.hpp"
 
 namespace ramify::cli {
 namespace {
@@ -24,10 +24,11 @@ FitOptions fit_options(const Options& options) {
 
 void require_known(const Options& options) {
   if (options.observable != "ratio")
-    throw Error(fmt::format("--observable {}", options.observable), "only the bifurcation ratio is fitted so far",
-                "take ratio");
+    throw Error(fmt::format("--observable {}", options.observable),
+                "only the bifurcation ratio is fitted so far", "take ratio");
   if (options.format != "table" && options.format != "csv")
-    throw Error(fmt::format("--format {}", options.format), "not a format that fit writes", "take table or csv");
+    throw Error(fmt::format("--format {}", options.format), "not a format that fit writes",
+                "take table or csv");
 }
 
 ExitCode fit(const Options& options, const Cancellation& cancellation) {
@@ -53,13 +54,15 @@ ExitCode fit(const Options& options, const Cancellation& cancellation) {
 void add_fit(CLI::App& app, Session& session) {
   auto options = std::make_shared<Options>();
   auto* verb = app.add_subcommand("fit", "Fit the split parameter of a model to measured bifurcation ratios");
-  verb->add_option("data", options->files, "CSV: ratios (name,ratio,max_order,branches) or stream counts (order,count)")
+  verb->add_option("data", options->files,
+                   "CSV: ratios (name,ratio,max_order,branches) or stream counts (order,count)")
       ->required();
   verb->add_option("--model", options->model, "patricia or dst")->capture_default_str();
   verb->add_option("--observable", options->observable, "what is fitted: ratio")->capture_default_str();
   verb->add_option("--n", options->n, "internal nodes, in place of the size in the data");
   verb->add_option("--seed", options->seed, "seed")->capture_default_str();
-  verb->add_option("--threads", options->threads, "threads; all cores if left out. The result does not depend on it");
+  verb->add_option("--threads", options->threads,
+                   "threads; all cores if left out. The result does not depend on it");
   verb->add_option("--format", options->format, "table or csv")->capture_default_str();
   verb->add_option("-o,--output", options->output, "write to this file, in one step");
   verb->footer("Example: ramify fit data/species.csv");

@@ -1,9 +1,10 @@
 #include "claim.hpp"
+#include "session.hpp"
+
 #include "ramify/core/nearest_name.hpp"
 #include "ramify/io/csv_writer.hpp"
 #include "ramify/model/registry.hpp"
 #include "ramify/statistic/registry.hpp"
-#include "session.hpp"
 
 namespace ramify::cli {
 namespace {
@@ -11,16 +12,16 @@ namespace {
 std::string model_table() {
   CsvTable table({"name", "n_counts", "domain", "description", "sampled", "source"});
   for (const auto& info : models())
-    table.add({info.signature(), std::string(info.n_counts), std::string(info.domain), std::string(info.description),
-               "streamed", std::string(info.source)});
+    table.add({info.signature(), std::string(info.n_counts), std::string(info.domain),
+               std::string(info.description), "streamed", std::string(info.source)});
   return table.text();
 }
 
 std::string statistic_table() {
   CsvTable table({"name", "columns", "convention", "description", "source"});
   for (const auto& info : statistics())
-    table.add({std::string(info.name), info.columns(), std::string(info.convention), std::string(info.description),
-               std::string(info.source)});
+    table.add({std::string(info.name), info.columns(), std::string(info.convention),
+               std::string(info.description), std::string(info.source)});
   return table.text();
 }
 
@@ -46,7 +47,8 @@ void add_list(CLI::App& app, Session& session) {
     std::string what, output;
   };
   auto options = std::make_shared<Options>();
-  auto* verb = app.add_subcommand("list", "List the models, statistics or claims with their conventions and sources");
+  auto* verb =
+      app.add_subcommand("list", "List the models, statistics or claims with their conventions and sources");
   verb->add_option("what", options->what, "models, statistics or claims")->required();
   verb->add_option("-o,--output", options->output, "write the table to this file");
   verb->footer("Example: ramify list models");

@@ -1,11 +1,11 @@
-#include <fmt/format.h>
-
 #include <csignal>
 #include <new>
 
+#include "session.hpp"
+#include <fmt/format.h>
+
 #include "ramify/core/nearest_name.hpp"
 #include "ramify/core/version.hpp"
-#include "session.hpp"
 
 namespace {
 
@@ -13,7 +13,9 @@ using ramify::ExitCode;
 
 ramify::Cancellation* stop_flag = nullptr;
 
-extern "C" void on_signal(int) { stop_flag->request(); }
+extern "C" void on_signal(int) {
+  stop_flag->request();
+}
 
 void listen_for_signals(ramify::Cancellation& cancellation) {
   stop_flag = &cancellation;
@@ -33,8 +35,8 @@ int refuse_arguments(const CLI::App& app, const CLI::ParseError& error, int argc
     fmt::print(stderr, "ramify: unknown verb '{}' (there is no such verb): {}see: ramify --help\n", given,
                ramify::did_you_mean(given, verbs));
   } else {
-    fmt::print(stderr, "ramify: {} (the command line was not understood): see: ramify {}--help\n", error.what(),
-               known ? given + " " : "");
+    fmt::print(stderr, "ramify: {} (the command line was not understood): see: ramify {}--help\n",
+               error.what(), known ? given + " " : "");
   }
   return static_cast<int>(ExitCode::bad_input);
 }
@@ -50,7 +52,9 @@ int run_program(int argc, char** argv) {
   CLI::App app("ramify: a statistical laboratory for random branching structures", "ramify");
   app.set_version_flag("--version", std::string("ramify ") + ramify::version);
   app.require_subcommand(1);
-  app.footer("Example: ramify sample --model bst --n 1000 --replicates 5\nramify VERB --help shows one for every verb.");
+  app.footer(
+      "Example: ramify sample --model bst --n 1000 --replicates 5\nramify VERB --help shows one for every "
+      "verb.");
   cli::Session session;
   listen_for_signals(session.cancellation);
   cli::add_list(app, session);
@@ -77,7 +81,8 @@ int main(int argc, char** argv) {
   } catch (const ramify::Error& error) {
     return report(error.what(), ExitCode::bad_input);
   } catch (const std::bad_alloc&) {
-    return report("out of memory (the tree is deeper, or the table larger, than this machine holds): take a smaller n",
-                  ExitCode::bad_input);
+    return report(
+        "out of memory (the tree is deeper, or the table larger, than this machine holds): take a smaller n",
+        ExitCode::bad_input);
   }
 }

@@ -1,12 +1,11 @@
-#include <fmt/format.h>
-
 #include <algorithm>
+
+#include "run_config_file.hpp"
+#include "session.hpp"
+#include <fmt/format.h>
 
 #include "ramify/core/number.hpp"
 #include "ramify/io/atomic_file.hpp"
-#include "session.hpp"
-
-#include "run_config_file.hpp"
 
 namespace ramify::cli {
 namespace {
@@ -35,7 +34,8 @@ bool serves(const RunConfig& config, const std::string& claim) {
 
 std::vector<RunConfig> read_configs(const Options& options) {
   if (options.scale != "quick" && options.scale != "full")
-    throw Error(fmt::format("--scale {}", options.scale), "there is no such scale", "take quick (minutes) or full");
+    throw Error(fmt::format("--scale {}", options.scale), "there is no such scale",
+                "take quick (minutes) or full");
   find_claims(options.claim);
   std::vector<fs::path> paths;
   for (const auto& entry : fs::directory_iterator(config_folder(options)))
@@ -48,15 +48,16 @@ std::vector<RunConfig> read_configs(const Options& options) {
     if (serves(config, options.claim)) configs.push_back(std::move(config));
   }
   if (configs.empty())
-    throw Error(fmt::format("nothing to run at scale {}", options.scale), "no config serves what was asked for",
-                "see: ramify list claims");
+    throw Error(fmt::format("nothing to run at scale {}", options.scale),
+                "no config serves what was asked for", "see: ramify list claims");
   return configs;
 }
 
-/// Says which verdicts differ from the committed ones, results/reference/<scale>/verdicts.csv beside the configs; with the configs'
-/// own seeds none should.
+/// Says which verdicts differ from the committed ones, results/reference/<scale>/verdicts.csv beside the
+/// configs; with the configs' own seeds none should.
 ExitCode compare_with_reference(const Options& options, const std::vector<Verdict>& verdicts) {
-  const fs::path reference = config_folder(options) / "../../results/reference" / options.scale / "verdicts.csv";
+  const fs::path reference =
+      config_folder(options) / "../../results/reference" / options.scale / "verdicts.csv";
   if (!fs::exists(reference)) return ExitCode::done;
   const auto changed = changed_verdicts(verdicts, reference);
   for (const auto& line : changed) fmt::print(stderr, "ramify: a committed verdict changed: {}\n", line);
@@ -80,7 +81,8 @@ ExitCode reproduce(const Options& options, const Cancellation& cancellation) {
   for (const auto& named : evidence.plots()) write_plot(named.plot, out / "plots", named.stem);
   write_file_atomically(out / "verdicts.txt", verdict_text(verdicts));
   emit(verdict_text(verdicts), "");
-  fmt::print(stderr, "verdicts: {0}/verdicts.csv\nplots:    {0}/plots\ntables:   {0}/<config>/summary.csv\n", out.string());
+  fmt::print(stderr, "verdicts: {0}/verdicts.csv\nplots:    {0}/plots\ntables:   {0}/<config>/summary.csv\n",
+             out.string());
   const ExitCode checks = judge_checks(evidence);
   return options.flags.seed.empty() ? std::max(checks, compare_with_reference(options, verdicts)) : checks;
 }
@@ -90,9 +92,11 @@ ExitCode reproduce(const Options& options, const Cancellation& cancellation) {
 void add_reproduce(CLI::App& app, Session& session) {
   auto options = std::make_shared<Options>();
   options->flags.out = "results/runs/reproduce";
-  auto* verb = app.add_subcommand("reproduce", "Run every config of a scale and print the verdict on every claim");
+  auto* verb =
+      app.add_subcommand("reproduce", "Run every config of a scale and print the verdict on every claim");
   verb->add_option("--scale", options->scale, "quick (minutes) or full")->capture_default_str();
-  verb->add_option("--claim", options->claim, "only the configs that serve this claim; see: ramify list claims");
+  verb->add_option("--claim", options->claim,
+                   "only the configs that serve this claim; see: ramify list claims");
   verb->add_option("--configs", options->configs, "folder with quick/ and full/");
   options->flags.add_to(*verb);
   verb->footer("Example: ramify reproduce --scale quick --claim C22");

@@ -1,11 +1,10 @@
-#include <fmt/format.h>
-
 #include <set>
 
-#include "ramify/core/number.hpp"
-#include "session.hpp"
-
 #include "run_config_file.hpp"
+#include "session.hpp"
+#include <fmt/format.h>
+
+#include "ramify/core/number.hpp"
 
 namespace ramify::cli {
 namespace {
@@ -23,7 +22,8 @@ std::vector<RunConfig> read_configs(const Options& options) {
     find_claims(configs.back().claim.value_or(""));
     if (!options.flags.seed.empty()) configs.back().seed = read_count("--seed", options.flags.seed);
     if (!stems.insert(std::filesystem::path(path).stem().string()).second)
-      throw Error(fmt::format("config '{}'", path), "another config has the same file name, and so the same folder",
+      throw Error(fmt::format("config '{}'", path),
+                  "another config has the same file name, and so the same folder",
                   "run them with different --out");
   }
   return configs;
@@ -42,8 +42,9 @@ ExitCode run(const Options& options, const Cancellation& cancellation) {
   const auto verdicts = evidence.verdicts();
   if (!verdicts.empty()) emit(verdict_text(verdicts), "");
   for (const auto& config : configs)
-    fmt::print(stderr, "tables and plots: {}\n",
-               (std::filesystem::path(options.flags.out) / std::filesystem::path(config.path).stem()).string());
+    fmt::print(
+        stderr, "tables and plots: {}\n",
+        (std::filesystem::path(options.flags.out) / std::filesystem::path(config.path).stem()).string());
   return judge_checks(evidence);
 }
 

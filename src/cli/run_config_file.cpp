@@ -1,11 +1,10 @@
 #include "session.hpp"
 // session.hpp first: CLI11 before fmt keeps both quiet.
-#include "run_config_file.hpp"
-
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include "run_config_file.hpp"
+#include <fmt/format.h>
 
 #include "ramify/experiment/plan.hpp"
 #include "ramify/io/atomic_file.hpp"
@@ -13,7 +12,8 @@
 namespace ramify::cli {
 namespace {
 
-// Some thousand means are checked in a full reproduction: six standard errors is one false alarm in half a million runs.
+// Some thousand means are checked in a full reproduction: six standard errors is one false alarm in half a
+// million runs.
 constexpr double alarming_z = 6;
 
 void write_plots(const std::vector<NamedPlot>& plots, const std::filesystem::path& folder) {
@@ -43,15 +43,17 @@ std::string describe_work(const std::vector<RunConfig>& configs, unsigned thread
   for (const auto& config : configs) {
     const Plan plan = make_plan(config);
     const WorkEstimate work = estimate_work(plan, threads);
-    text += fmt::format("{}: {} cells, {:.3g} nodes, about {:.1f} minutes on {} threads, {:.0f} MB\n", config.path,
-                        plan.cells.size(), work.nodes, work.minutes, threads, work.megabytes);
-    total = {total.nodes + work.nodes, total.minutes + work.minutes, std::max(total.megabytes, work.megabytes)};
+    text += fmt::format("{}: {} cells, {:.3g} nodes, about {:.1f} minutes on {} threads, {:.0f} MB\n",
+                        config.path, plan.cells.size(), work.nodes, work.minutes, threads, work.megabytes);
+    total = {total.nodes + work.nodes, total.minutes + work.minutes,
+             std::max(total.megabytes, work.megabytes)};
   }
-  return text + fmt::format("in all {:.3g} nodes, about {:.1f} minutes, {:.0f} MB\n", total.nodes, total.minutes,
-                            total.megabytes);
+  return text + fmt::format("in all {:.3g} nodes, about {:.1f} minutes, {:.0f} MB\n", total.nodes,
+                            total.minutes, total.megabytes);
 }
 
-void run_config_file(const RunConfig& config, const RunFlags& flags, const Cancellation& cancellation, Evidence& evidence) {
+void run_config_file(const RunConfig& config, const RunFlags& flags, const Cancellation& cancellation,
+                     Evidence& evidence) {
   const auto served = find_claims(config.claim.value_or(""));
   const std::string stem = std::filesystem::path(config.path).stem().string();
   const RunOptions options{std::filesystem::path(flags.out) / stem, read_threads(flags.threads), flags.resume,
@@ -74,11 +76,15 @@ void run_config_file(const RunConfig& config, const RunFlags& flags, const Cance
 ExitCode judge_checks(const Evidence& evidence) {
   const auto worst = evidence.worst_check();
   if (!worst) return ExitCode::done;
-  fmt::print(stderr, "{} sampled means held against exact finite-n laws: the worst is {:.1f} standard errors off ({})\n",
-             worst->checks, worst->z, worst->where);
+  fmt::print(
+      stderr,
+      "{} sampled means held against exact finite-n laws: the worst is {:.1f} standard errors off ({})\n",
+      worst->checks, worst->z, worst->where);
   if (worst->z < alarming_z) return ExitCode::done;
-  fmt::print(stderr, "ramify: a sampler disagrees with its exact law (more than {} standard errors): please report it\n",
-             alarming_z);
+  fmt::print(
+      stderr,
+      "ramify: a sampler disagrees with its exact law (more than {} standard errors): please report it\n",
+      alarming_z);
   return ExitCode::check_failed;
 }
 

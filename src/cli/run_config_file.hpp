@@ -3,8 +3,10 @@
 #include <filesystem>
 #include <string>
 
-#include "ramify/experiment/run.hpp"
 #include "verdicts.hpp"
+#include <CLI/CLI.hpp>
+
+#include "ramify/experiment/run.hpp"
 
 namespace ramify::cli {
 
@@ -21,9 +23,11 @@ std::string describe_work(const std::vector<RunConfig>& configs, unsigned thread
 
 double total_nodes(const std::vector<RunConfig>& configs);
 
-/// Runs one config into out/<stem of the config>, adds its cells to the evidence, and writes verdict.json and the claims' plots of its
-/// own cells there. Throws Interrupted, after saying where the complete cells lie, when stopped.
-void run_config_file(const RunConfig& config, const RunFlags& flags, const Cancellation& cancellation, Evidence& evidence);
+/// Runs one config into out/<stem of the config>, adds its cells to the evidence, and writes verdict.json and
+/// the claims' plots of its own cells there. Throws Interrupted, after saying where the complete cells lie,
+/// when stopped.
+void run_config_file(const RunConfig& config, const RunFlags& flags, const Cancellation& cancellation,
+                     Evidence& evidence);
 
 /// Prints the warning and returns check_failed where a sampled mean lies too far from its exact value.
 ExitCode judge_checks(const Evidence& evidence);

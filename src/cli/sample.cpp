@@ -1,22 +1,22 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
 #include <memory>
 #include <thread>
 
+#include "session.hpp"
+#include <fmt/format.h>
+
 #include "ramify/core/number.hpp"
 #include "ramify/experiment/tree_batch.hpp"
 #include "ramify/io/csv_writer.hpp"
-#include "session.hpp"
 
 namespace ramify::cli {
 namespace {
 
 struct Options {
-  std::string model, n, seed = "1996", replicates = "1", replicate, statistics = "strahler,height", format = "csv",
-                        threads, output;
+  std::string model, n, seed = "1996", replicates = "1", replicate, statistics = "strahler,height",
+                        format = "csv", threads, output;
   bool no_graft = false, yes = false;
 };
 
@@ -43,7 +43,8 @@ ExitCode sample(const Options& options, const Cancellation& cancellation) {
   const TreeBatch batch{model, n, read_count("--seed", options.seed), read_threads(options.threads)};
   require_consent(static_cast<double>(n) * static_cast<double>(range.last - range.first), options.yes);
   if (options.format == "csv")
-    emit(batch.table(StatisticSet::parse(split_list(options.statistics)), range.first, range.last, cancellation),
+    emit(batch.table(StatisticSet::parse(split_list(options.statistics)), range.first, range.last,
+                     cancellation),
          options.output);
   else if (options.format == "parens")
     emit(batch.words(range.first, range.last, cancellation), options.output);
@@ -57,8 +58,11 @@ ExitCode sample(const Options& options, const Cancellation& cancellation) {
 
 void add_sample(CLI::App& app, Session& session) {
   auto options = std::make_shared<Options>();
-  auto* verb = app.add_subcommand("sample", "Grow trees of one model and print their statistics, or the trees");
-  verb->add_option("--model", options->model, "model, such as bst or \"beta(10,80)\"; see: ramify list models")->required();
+  auto* verb =
+      app.add_subcommand("sample", "Grow trees of one model and print their statistics, or the trees");
+  verb->add_option("--model", options->model,
+                   "model, such as bst or \"beta(10,80)\"; see: ramify list models")
+      ->required();
   verb->add_option("--n", options->n, "size: internal nodes, 0 to 2^62")->required();
   verb->add_option("--replicates", options->replicates, "number of trees")->capture_default_str();
   verb->add_option("--replicate", options->replicate, "replay this one alone (counted from 0)");
@@ -66,11 +70,15 @@ void add_sample(CLI::App& app, Session& session) {
   verb->add_option("--statistics", options->statistics, "comma-separated; see: ramify list statistics")
       ->capture_default_str();
   verb->add_option("--format", options->format, "csv or parens")->capture_default_str();
-  verb->add_option("--threads", options->threads, "threads; all cores if left out. The result does not depend on it");
-  verb->add_flag("--no-graft", options->no_graft, "grow every node (nothing is grafted yet, so this changes nothing)");
+  verb->add_option("--threads", options->threads,
+                   "threads; all cores if left out. The result does not depend on it");
+  verb->add_flag("--no-graft", options->no_graft,
+                 "grow every node (nothing is grafted yet, so this changes nothing)");
   verb->add_flag("--yes", options->yes, "allow more than 10^13 nodes");
   verb->add_option("-o,--output", options->output, "write to this file, in one step");
-  verb->footer("Example: ramify sample --model \"patricia(1/4.35)\" --n 579 --replicates 3 --statistics strahler,streams");
+  verb->footer(
+      "Example: ramify sample --model \"patricia(1/4.35)\" --n 579 --replicates 3 --statistics "
+      "strahler,streams");
   verb->callback([&session, options] {
     session.work = [&session, options] { return sample(*options, session.cancellation); };
   });

@@ -1,8 +1,5 @@
 #include "session.hpp"
 
-#include <fmt/format.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
@@ -10,6 +7,9 @@
 #include <cstring>
 #include <memory>
 #include <thread>
+
+#include <fmt/format.h>
+#include <unistd.h>
 
 #include "ramify/core/number.hpp"
 #include "ramify/experiment/plan.hpp"
@@ -44,15 +44,18 @@ unsigned read_threads(const std::string& text) {
   if (text.empty()) return std::max(1u, std::thread::hardware_concurrency());
   const std::uint64_t threads = read_count("--threads", text);
   if (threads < 1 || threads > 1024)
-    throw Error(fmt::format("--threads {}", threads), "must be from 1 to 1024", "leave it out to use every core");
+    throw Error(fmt::format("--threads {}", threads), "must be from 1 to 1024",
+                "leave it out to use every core");
   return static_cast<unsigned>(threads);
 }
 
 void emit(const std::string& table, const std::string& output_file) {
   if (!output_file.empty()) return write_file_atomically(output_file, table);
-  const bool written = std::fwrite(table.data(), 1, table.size(), stdout) == table.size() && std::fflush(stdout) == 0;
+  const bool written =
+      std::fwrite(table.data(), 1, table.size(), stdout) == table.size() && std::fflush(stdout) == 0;
   if (!written)
-    throw Error("cannot write to standard output", std::strerror(errno), "free space, or name a file with -o");
+    throw Error("cannot write to standard output", std::strerror(errno),
+                "free space, or name a file with -o");
 }
 
 void require_consent(double nodes, bool yes) {
@@ -72,7 +75,8 @@ std::function<void(double, double)> progress_line(const std::string& label) {
     *last = now;
     const double seconds = std::chrono::duration<double>(now - begin).count();
     const double left = done > 0 ? seconds * (total - done) / done : 0;
-    fmt::print(stderr, "\r{}: {:3.0f} %, {:.3g} nodes, {:.0f} s left \033[K", label, 100 * done / total, done, left);
+    fmt::print(stderr, "\r{}: {:3.0f} %, {:.3g} nodes, {:.0f} s left \033[K", label, 100 * done / total, done,
+               left);
     std::fflush(stderr);
   };
 }

@@ -1,10 +1,11 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include <CLI/CLI.hpp>
 
 #include "ramify/core/cancellation.hpp"
 #include "ramify/core/error.hpp"
@@ -26,10 +27,12 @@ void add_run(CLI::App& app, Session& session);
 void add_reproduce(CLI::App& app, Session& session);
 void add_fit(CLI::App& app, Session& session);
 
-/// "1000", "1e6", "2^20", "1_000_000"; throws Error for anything but a whole number from 0 to 2^62. what names the option.
+/// "1000", "1e6", "2^20", "1_000_000"; throws Error for anything but a whole number from 0 to 2^62. what
+/// names the option.
 std::uint64_t read_count(std::string_view what, const std::string& text);
 
-/// A comma-separated list, spaces trimmed; commas inside parentheses belong to the item: "beta(1,5),bst" is two.
+/// A comma-separated list, spaces trimmed; commas inside parentheses belong to the item: "beta(1,5),bst" is
+/// two.
 std::vector<std::string> split_list(const std::string& text);
 
 /// Threads for --threads: the number given (1 to 1024), else as many as the machine has cores.

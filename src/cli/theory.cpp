@@ -1,8 +1,8 @@
-#include "ramify/theory/constants.hpp"
+#include "session.hpp"
 
 #include "ramify/core/number.hpp"
 #include "ramify/io/csv_writer.hpp"
-#include "session.hpp"
+#include "ramify/theory/constants.hpp"
 
 namespace ramify::cli {
 namespace {
@@ -25,7 +25,8 @@ void add_theory(CLI::App& app, Session& session) {
     std::string models, output;
   };
   auto options = std::make_shared<Options>();
-  auto* verb = app.add_subcommand("theory", "Limit constants of a model, computed, with formula, error and source");
+  auto* verb =
+      app.add_subcommand("theory", "Limit constants of a model, computed, with formula, error and source");
   verb->add_option("--model", options->models, "a model, or several separated by commas: \"bst,beta(10,80)\"")
       ->required();
   verb->add_option("-o,--output", options->output, "write the table to this file");

@@ -1,7 +1,6 @@
 // Bad input: one clear line on standard error, exit code 2, nothing written.
-#include <gtest/gtest.h>
-
 #include "program.hpp"
+#include <gtest/gtest.h>
 
 namespace ramify::test {
 namespace {
@@ -29,8 +28,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"UnknownStatistic", "sample --model bst --n 10 --statistics strahlr", "did you mean strahler"},
         Case{"StatisticTwice", "sample --model bst --n 10 --statistics height,height", "given twice"},
         Case{"UnknownVerb", "sampel --model bst", "did you mean sample"},
-        Case{"UnknownOption", "sample --model bst --n 10 --sizes 3", "--help"},
-        Case{"NoVerb", "", "--help"},
+        Case{"UnknownOption", "sample --model bst --n 10 --sizes 3", "--help"}, Case{"NoVerb", "", "--help"},
         Case{"ProbabilityAboveOne", "sample --model 'dst(1.5)' --n 10", "(0,1)"},
         Case{"ProbabilityZero", "sample --model 'patricia(0)' --n 10", "(0,1)"},
         Case{"ProbabilityOne", "sample --model 'patricia(1)' --n 10", "(0,1)"},

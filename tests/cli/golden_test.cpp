@@ -1,9 +1,8 @@
-// The numbers themselves: a summary of every model and statistic that was committed once. A difference means that trees of the
-// same seed have changed; say so in CHANGELOG.md and renew the file:
+// The numbers themselves: a summary of every model and statistic that was committed once. A difference means
+// that trees of the same seed have changed; say so in CHANGELOG.md and renew the file:
 //   ramify run tests/golden/small.toml --out DIR && cp DIR/small/summary.csv tests/golden/
-#include <gtest/gtest.h>
-
 #include "program.hpp"
+#include <gtest/gtest.h>
 
 namespace ramify::test {
 namespace {

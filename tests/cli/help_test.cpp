@@ -1,7 +1,6 @@
 // Every verb explains itself with an example that works.
-#include <gtest/gtest.h>
-
 #include "program.hpp"
+#include <gtest/gtest.h>
 
 namespace ramify::test {
 namespace {
@@ -27,7 +26,9 @@ TEST(Help, ExamplesOfQuickVerbsRun) {
   }
 }
 
-TEST(Help, VersionIsSaid) { EXPECT_EQ(ramify("--version").out.substr(0, 7), "ramify "); }
+TEST(Help, VersionIsSaid) {
+  EXPECT_EQ(ramify("--version").out.substr(0, 7), "ramify ");
+}
 
 TEST(List, NamesEveryModelWithWhatNCounts) {
   const std::string models = ramify("list models").out;

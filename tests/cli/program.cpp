@@ -1,10 +1,10 @@
 #include "program.hpp"
 
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdlib>
+
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace ramify::test {
 

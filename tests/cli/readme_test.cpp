@@ -1,7 +1,6 @@
 // Every command of the program that README.md and docs/ show is run, as it stands.
-#include <gtest/gtest.h>
-
 #include "program.hpp"
+#include <gtest/gtest.h>
 
 namespace ramify::test {
 namespace {

@@ -1,9 +1,8 @@
-// Runs: the same bytes for any number of threads, nothing lost when stopped, nothing that looks finished and is not.
-#include <gtest/gtest.h>
-
-#include <nlohmann/json.hpp>
-
+// Runs: the same bytes for any number of threads, nothing lost when stopped, nothing that looks finished and
+// is not.
 #include "program.hpp"
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 namespace ramify::test {
 namespace {
@@ -27,7 +26,8 @@ TEST(Run, TablesAreTheSameBytesForOneTwoAndSevenThreads) {
   const Scratch scratch;
   const std::string one = run_small(scratch, "one", "--threads 1");
   for (const char* threads : {"2", "7"}) {
-    const std::string other = run_small(scratch, std::string("t") + threads, std::string("--threads ") + threads);
+    const std::string other =
+        run_small(scratch, std::string("t") + threads, std::string("--threads ") + threads);
     for (const char* table : {"/summary.csv", "/orders.csv", "/histograms.csv"}) {
       const std::string expected = read_file(one + table);
       EXPECT_GT(expected.size(), 200u);
@@ -45,10 +45,11 @@ TEST(Run, AnotherSeedGivesAnotherTable) {
 
 TEST(Run, SevenThreadsReallyRun) {
   const Scratch scratch;
-  const std::string config = scratch.file("long.toml",
-                                          "models=[\"bst\"]\nn=[100000]\nreplicates=3000\nstatistics=[\"height\"]\n");
-  const Ran ran = shell(std::string(RAMIFY_PROGRAM) + " run " + config + " --threads 7 --out " + (scratch / "o").string() +
-                        " & sleep 0.7; ls /proc/$!/task | wc -l; kill -INT $!; wait $!; true");
+  const std::string config =
+      scratch.file("long.toml", "models=[\"bst\"]\nn=[100000]\nreplicates=3000\nstatistics=[\"height\"]\n");
+  const Ran ran =
+      shell(std::string(RAMIFY_PROGRAM) + " run " + config + " --threads 7 --out " +
+            (scratch / "o").string() + " & sleep 0.7; ls /proc/$!/task | wc -l; kill -INT $!; wait $!; true");
   EXPECT_EQ(ran.out.substr(0, 1), "7") << ran.out << ran.err;
 }
 
@@ -59,7 +60,8 @@ TEST(Run, ProvenanceSaysHowTheTableWasMade) {
   EXPECT_EQ(provenance.at("status"), "complete");
   EXPECT_EQ(provenance.at("seed"), 1996);
   EXPECT_EQ(provenance.at("config_text"), small_config);
-  EXPECT_TRUE(provenance.contains("version") && provenance.contains("compiler") && provenance.contains("duration_seconds"));
+  EXPECT_TRUE(provenance.contains("version") && provenance.contains("compiler") &&
+              provenance.contains("duration_seconds"));
 }
 
 TEST(Run, IsSilentOnStandardErrorWhenPipedExceptForItsClosingLines) {
@@ -87,8 +89,8 @@ TEST(Run, StoppedRunKeepsCompleteCellsAndResumesToTheSameBytes) {
   EXPECT_EQ(partial.find("bst,3000000,"), std::string::npos);
   EXPECT_NE(read_file(out + "/slow.incomplete/provenance.json").find("interrupted"), std::string::npos);
 
-  const std::string quick = scratch.file("slow.toml", text.substr(0, text.find("3000000")) + "30000]\n" +
-                                                          text.substr(text.find("replicates")));
+  const std::string quick = scratch.file(
+      "slow.toml", text.substr(0, text.find("3000000")) + "30000]\n" + text.substr(text.find("replicates")));
   const Ran resumed = ramify("run " + quick + " --resume --out " + out);
   EXPECT_EQ(resumed.code, 0) << resumed.err;
   const Ran fresh = ramify("run " + quick + " --out " + (scratch / "fresh").string());

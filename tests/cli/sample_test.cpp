@@ -1,6 +1,5 @@
-#include <gtest/gtest.h>
-
 #include "program.hpp"
+#include <gtest/gtest.h>
 
 namespace ramify::test {
 namespace {
@@ -13,7 +12,8 @@ std::string line(const std::string& text, std::size_t number) {
 }
 
 TEST(Sample, OneReplicateIsReplayedAlone) {
-  const std::string what = "sample --model 'beta(0.3,2)' --n 500 --seed 9 --statistics strahler,height,depth,streams ";
+  const std::string what =
+      "sample --model 'beta(0.3,2)' --n 500 --seed 9 --statistics strahler,height,depth,streams ";
   const Ran many = ramify(what + "--replicates 6");
   const Ran one = ramify(what + "--replicate 4");
   ASSERT_EQ(many.code, 0) << many.err;
@@ -25,7 +25,8 @@ TEST(Sample, OneReplicateIsReplayedAlone) {
 TEST(Sample, TreesOfParensAreTheTreesOfTheStatistics) {
   const Ran words = ramify("sample --model 'split(0.25)' --n 15 --format parens");
   EXPECT_EQ(words.out, "((E(E(EE)))((E(EE))((E(EE))((EE)(E(E(EE)))))))\n");  // catalogue A6
-  const Ran counts = ramify("sample --model 'split(0.25)' --n 15 --statistics size,strahler,height,nodes,streams");
+  const Ran counts =
+      ramify("sample --model 'split(0.25)' --n 15 --statistics size,strahler,height,nodes,streams");
   EXPECT_EQ(line(counts.out, 2), "split(0.25),15,1996,0,15,2,8,16,11,4,0,0,16,5,1,0,0");
 }
 
@@ -39,7 +40,9 @@ TEST(Sample, StatisticsDoNotDependOnWhatElseIsAskedFor) {
 }
 
 TEST(Sample, AnExternalNodeAloneIsATree) {
-  const Ran ran = ramify("sample --model catalan --n 0 --statistics size,strahler,height,depth,nodes,streams,streams_mean_ratio");
+  const Ran ran = ramify(
+      "sample --model catalan --n 0 --statistics "
+      "size,strahler,height,depth,nodes,streams,streams_mean_ratio");
   EXPECT_EQ(ran.code, 0) << ran.err;
   EXPECT_EQ(line(ran.out, 2), "catalan,0,1996,0,0,0,1,0,1,1,");
   EXPECT_EQ(ramify("sample --model catalan --n 0 --format parens").out, "E\n");
@@ -47,7 +50,8 @@ TEST(Sample, AnExternalNodeAloneIsATree) {
 
 TEST(Sample, ThreadsAndOutputFileChangeNothing) {
   const Scratch scratch;
-  const std::string what = "sample --model 'patricia(0.23)' --n 200 --replicates 50 --statistics strahler,nodes";
+  const std::string what =
+      "sample --model 'patricia(0.23)' --n 200 --replicates 50 --statistics strahler,nodes";
   const std::string expected = ramify(what + " --threads 1").out;
   EXPECT_EQ(expected, ramify(what + " --threads 7").out);
   EXPECT_EQ(ramify(what + " -o " + (scratch / "t.csv").string()).out, "");
@@ -55,7 +59,8 @@ TEST(Sample, ThreadsAndOutputFileChangeNothing) {
 }
 
 TEST(Sample, ModelsWithParametersAreQuoted) {
-  EXPECT_EQ(ramify("sample --model 'beta(1,5)' --n 1").out, "model,n,seed,replicate,strahler,height\n\"beta(1,5)\",1,1996,0,1,2\n");
+  EXPECT_EQ(ramify("sample --model 'beta(1,5)' --n 1").out,
+            "model,n,seed,replicate,strahler,height\n\"beta(1,5)\",1,1996,0,1,2\n");
 }
 
 }  // namespace

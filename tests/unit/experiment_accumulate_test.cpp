@@ -1,7 +1,7 @@
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 #include "ramify/accumulate/order_totals.hpp"
 #include "ramify/accumulate/real_summary.hpp"
@@ -68,7 +68,8 @@ OrderTotals three_trees() {
 TEST(OrderTotals, PooledRatioIsTheRatioOfSumsWithItsDeltaMethodError) {
   const auto ratio = three_trees().pooled_ratio(0);
   EXPECT_DOUBLE_EQ(ratio.value, 30.0 / 12);
-  // The literal formula: the variance of N_0 - r N_1 over trees, divided by trees and the squared mean of N_1.
+  // The literal formula: the variance of N_0 - r N_1 over trees, divided by trees and the squared mean of
+  // N_1.
   const double residuals[] = {10 - 2.5 * 4, 12 - 2.5 * 3, 8 - 2.5 * 5};
   double squares = 0;
   for (const double residual : residuals) squares += residual * residual;

@@ -1,21 +1,22 @@
 // The verdict rules on made-up cells: what they must reproduce, refute and leave open.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 
 #include "claim.hpp"
+#include "verdicts.hpp"
+#include <gtest/gtest.h>
+
 #include "ramify/core/error.hpp"
 #include "ramify/io/run_config.hpp"
-#include "verdicts.hpp"
 
 namespace ramify {
 namespace {
 
 /// Cells of a model in which the mean of one column is slope * log n + 0.2, with a small error.
-std::vector<CheckedCell> line_of(const std::string& model, const std::string& column, double slope, double variance = 0.16) {
+std::vector<CheckedCell> line_of(const std::string& model, const std::string& column, double slope,
+                                 double variance = 0.16) {
   std::vector<CheckedCell> cells;
   std::size_t number = 0;
   for (double n = 300; n < 1e6; n *= 3.0438278618) {
@@ -50,7 +51,8 @@ TEST(BstOrderClaim, TellsTheTwoConstantsApart) {
 TEST(DepthClaim, RejectsTheDepthOfAnotherModel) {
   const Claim claim = depth_claim();
   EXPECT_EQ(outcome_of(claim.judge(line_of("bst", "depth", 2)), "C6.1"), Outcome::reproduced);
-  EXPECT_EQ(outcome_of(claim.judge(line_of("bst", "depth", 1.7142857)), "C6.1"), Outcome::refuted) << "beta(2,2)";
+  EXPECT_EQ(outcome_of(claim.judge(line_of("bst", "depth", 1.7142857)), "C6.1"), Outcome::refuted)
+      << "beta(2,2)";
 }
 
 TEST(HeightClaim, IsLeftOpenBySlopesThatFallShort) {
@@ -60,7 +62,8 @@ TEST(HeightClaim, IsLeftOpenBySlopesThatFallShort) {
 TEST(CatalanClaim, SeesAGrowingVariance) {
   auto cells = line_of("catalan", "strahler", 1 / std::log(4.0), 0.18);
   EXPECT_EQ(outcome_of(catalan_order_claim().judge(cells), "C22.2"), Outcome::reproduced);
-  for (auto& cell : cells) cell.result.columns[0].variance = 0.05 * std::log(static_cast<double>(cell.result.n));
+  for (auto& cell : cells)
+    cell.result.columns[0].variance = 0.05 * std::log(static_cast<double>(cell.result.n));
   EXPECT_EQ(outcome_of(catalan_order_claim().judge(cells), "C22.2"), Outcome::refuted);
 }
 
@@ -73,7 +76,8 @@ TEST(Claims, AreFoundByNumberAndRefusedOtherwise) {
 TEST(Claims, EveryOneHasAConfigAtBothScales) {
   for (const char* scale : {"quick", "full"}) {
     std::string served;
-    for (const auto& entry : std::filesystem::directory_iterator(std::string(RAMIFY_SOURCE_DIR) + "/configs/" + scale))
+    for (const auto& entry :
+         std::filesystem::directory_iterator(std::string(RAMIFY_SOURCE_DIR) + "/configs/" + scale))
       served.append(1, ' ').append(read_run_config(entry.path()).claim.value_or(""));
     const auto found = find_claims(served);
     for (const auto& claim : claims())
@@ -88,7 +92,8 @@ TEST(Verdicts, AChangeAgainstTheCommittedTableIsSeen) {
   std::ofstream(file) << verdict_csv(verdicts);
   EXPECT_TRUE(changed_verdicts(verdicts, file).empty());
   verdicts.front().outcome = Outcome::inconclusive;
-  EXPECT_EQ(changed_verdicts(verdicts, file), std::vector<std::string>{"C20.1: inconclusive, was reproduced"});
+  EXPECT_EQ(changed_verdicts(verdicts, file),
+            std::vector<std::string>{"C20.1: inconclusive, was reproduced"});
   std::filesystem::remove(file);
 }
 

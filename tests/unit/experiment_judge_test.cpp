@@ -1,7 +1,7 @@
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 #include "ramify/compare/judge.hpp"
 
@@ -11,7 +11,8 @@ namespace {
 /// Means c log n + offset + bend / log n at geometric sizes.
 std::vector<SizedMean> means(double c, double bend, double error) {
   std::vector<SizedMean> points;
-  for (double n = 100; n < 2e6; n *= 3) points.push_back({n, c * std::log(n) + 0.7 + bend / std::log(n), error});
+  for (double n = 100; n < 2e6; n *= 3)
+    points.push_back({n, c * std::log(n) + 0.7 + bend / std::log(n), error});
   return points;
 }
 
@@ -32,7 +33,9 @@ TEST(Slope, WeightsPointsByTheirErrors) {
   EXPECT_NEAR(slope.value, 1, 1e-3);
 }
 
-TEST(Growth, AStraightLineHasNoDrift) { EXPECT_NEAR(growth_constant(means(2, 0, 0.01)).drift, 0, 1e-10); }
+TEST(Growth, AStraightLineHasNoDrift) {
+  EXPECT_NEAR(growth_constant(means(2, 0, 0.01)).drift, 0, 1e-10);
+}
 
 TEST(Growth, ABentOneStretchesTheIntervalTheWayItIsGoing) {
   const GrowthConstant growth = growth_constant(means(2, 5, 1e-6));
@@ -53,7 +56,8 @@ TEST(Judge, HasThreeStates) {
   EXPECT_EQ(judge({1.90, 2.01}, 2, 0.02), Outcome::inconclusive);
   EXPECT_EQ(judge({1.90, 1.97}, 2, 0.02), Outcome::refuted);
   EXPECT_EQ(judge({2.03, 2.10}, 2, 0.02), Outcome::refuted);
-  EXPECT_EQ(judge({1.00, 3.00}, 2, 0.02), Outcome::inconclusive) << "a wide interval around the truth is not a pass";
+  EXPECT_EQ(judge({1.00, 3.00}, 2, 0.02), Outcome::inconclusive)
+      << "a wide interval around the truth is not a pass";
 }
 
 }  // namespace

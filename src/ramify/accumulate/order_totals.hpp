@@ -15,8 +15,8 @@ struct Estimate {
   double standard_error;
 };
 
-/// Sums over trees of the counts of every order, their squares and the products of neighbours: what the pooled
-/// ratio and its error need. Counts are of nodes or of streams; keep one object for each.
+/// Sums over trees of the counts of every order, their squares and the products of neighbours: what the
+/// pooled ratio and its error need. Counts are of nodes or of streams; keep one object for each.
 class OrderTotals {
  public:
   /// Orders 0..top of one tree.
@@ -30,7 +30,8 @@ class OrderTotals {
   /// Mean count of order k over the trees.
   Estimate mean(std::size_t k) const;
 
-  /// pooled_ratio: sum of N_k over sum of N_(k+1), k < highest(); standard error by the delta method over trees (0 for one tree).
+  /// pooled_ratio: sum of N_k over sum of N_(k+1), k < highest(); standard error by the delta method over
+  /// trees (0 for one tree).
   Estimate pooled_ratio(std::size_t k) const;
 
  private:

@@ -5,11 +5,14 @@
 
 namespace ramify {
 
-/// Summary of real numbers, kept in the order they were added: merge blocks in a fixed order and every sum is the same.
+/// Summary of real numbers, kept in the order they were added: merge blocks in a fixed order and every sum is
+/// the same.
 class RealSummary {
  public:
   void add(double value) { values_.push_back(value); }
-  void merge(const RealSummary& later) { values_.insert(values_.end(), later.values_.begin(), later.values_.end()); }
+  void merge(const RealSummary& later) {
+    values_.insert(values_.end(), later.values_.begin(), later.values_.end());
+  }
 
   std::uint64_t count() const { return values_.size(); }
   double mean() const;

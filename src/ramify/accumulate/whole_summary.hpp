@@ -7,7 +7,8 @@
 
 namespace ramify {
 
-/// Exact summary of whole numbers: how often each value occurred. Mergeable in any order with the same result.
+/// Exact summary of whole numbers: how often each value occurred. Mergeable in any order with the same
+/// result.
 ///
 /// Memory: one entry for each distinct value. mean and variance come from exact 128-bit sums, rounded once.
 class WholeSummary {

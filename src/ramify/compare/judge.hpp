@@ -23,13 +23,13 @@ enum class Approach {
   drifts,   ///< a slower term is left (log log n, drifting thresholds): a slope off the band decides nothing
 };
 
-/// The sampling interval of the slope, stretched by the drift in the direction the slope is moving: a slope that
-/// changed by d over a quarter of the grid is not believed to stay put beyond it. Where the law says that the slope settles, only
-/// the part of d that sampling error does not explain counts.
+/// The sampling interval of the slope, stretched by the drift in the direction the slope is moving: a slope
+/// that changed by d over a quarter of the grid is not believed to stay put beyond it. Where the law says
+/// that the slope settles, only the part of d that sampling error does not explain counts.
 Interval growth_interval(const GrowthConstant& growth, Approach approach);
 
-/// reproduced where the interval lies inside theory +- tolerance, refuted where it lies wholly outside, else inconclusive.
-/// A pass is thus an interval inside a stated tolerance, never a failure to reject.
+/// reproduced where the interval lies inside theory +- tolerance, refuted where it lies wholly outside, else
+/// inconclusive. A pass is thus an interval inside a stated tolerance, never a failure to reject.
 Outcome judge(const Interval& interval, double theory, double tolerance);
 
 }  // namespace ramify

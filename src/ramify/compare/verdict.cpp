@@ -4,9 +4,12 @@ namespace ramify {
 
 std::string_view to_string(Outcome outcome) {
   switch (outcome) {
-    case Outcome::reproduced: return "reproduced";
-    case Outcome::refuted: return "refuted";
-    case Outcome::inconclusive: break;
+    case Outcome::reproduced:
+      return "reproduced";
+    case Outcome::refuted:
+      return "refuted";
+    case Outcome::inconclusive:
+      break;
   }
   return "inconclusive";
 }

@@ -1,10 +1,10 @@
 #include "ramify/core/nearest_name.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace ramify {
 namespace {

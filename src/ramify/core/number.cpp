@@ -1,10 +1,10 @@
 #include "ramify/core/number.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+
+#include <fmt/format.h>
 
 namespace ramify {
 namespace {
@@ -54,7 +54,9 @@ std::optional<std::uint64_t> parse_count(std::string_view text) {
   return digits[mark] == '^' ? times_power(1, *head, *exponent) : times_power(*head, 10, *exponent);
 }
 
-std::string format_exact(double value) { return fmt::format("{}", value); }
+std::string format_exact(double value) {
+  return fmt::format("{}", value);
+}
 
 std::string format_summary(double value) {
   if (std::isnan(value)) return "";

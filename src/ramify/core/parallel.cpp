@@ -10,7 +10,8 @@
 
 namespace ramify {
 
-void parallel_for(std::size_t count, unsigned threads, const std::function<void(std::size_t, unsigned)>& work) {
+void parallel_for(std::size_t count, unsigned threads,
+                  const std::function<void(std::size_t, unsigned)>& work) {
   RAMIFY_EXPECTS(threads >= 1);
   std::atomic<std::size_t> next{0};
   std::atomic<bool> failed{false};

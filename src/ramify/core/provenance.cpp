@@ -1,11 +1,11 @@
 #include "ramify/core/provenance.hpp"
 
+#include <array>
+#include <chrono>
+
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <unistd.h>
-
-#include <array>
-#include <chrono>
 
 #include "ramify/core/version.hpp"
 

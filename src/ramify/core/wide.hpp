@@ -1,7 +1,8 @@
 #pragma once
 
-#include <boost/multiprecision/cpp_int.hpp>
 #include <cstdint>
+
+#include <boost/multiprecision/cpp_int.hpp>
 
 namespace ramify {
 

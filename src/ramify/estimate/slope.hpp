@@ -14,7 +14,7 @@ struct SizedMean {
 /// The slope of a mean against log n.
 struct Slope {
   double value;
-  double standard_error;   ///< from the means' errors alone, not from their scatter about the line
+  double standard_error;  ///< from the means' errors alone, not from their scatter about the line
   double smallest_n;
   double largest_n;
 };
@@ -25,9 +25,10 @@ Slope fit_slope(const std::vector<SizedMean>& points);
 /// A growth constant lim mean / log n by slopes: constants of order one in the mean, which spoil the raw
 /// quotient, drop out.
 struct GrowthConstant {
-  Slope slope;            ///< over the upper half of the sizes
-  double drift;           ///< that slope minus the one over the middle half: what is left of finite-size bias
-  double drift_error;     ///< standard error of the drift, the two taken as independent (they share sizes: an upper bound)
+  Slope slope;         ///< over the upper half of the sizes
+  double drift;        ///< that slope minus the one over the middle half: what is left of finite-size bias
+  double drift_error;  ///< standard error of the drift, the two taken as independent (they share sizes: an
+                       ///< upper bound)
 };
 
 /// Slopes over the upper and over the middle half of the points (ascending n). At least four points.

@@ -47,7 +47,9 @@ const ColumnSummary& CellResult::column(const std::string& name) const {
 }
 
 CellAccumulator::CellAccumulator(const StatisticSet& statistics, Size n)
-    : statistics_(&statistics), n_(n), counts_orders_(statistics.contains("nodes") || statistics.contains("streams")) {
+    : statistics_(&statistics),
+      n_(n),
+      counts_orders_(statistics.contains("nodes") || statistics.contains("streams")) {
   std::size_t wholes = 0, reals = 0;
   for (const auto* info : statistics.chosen()) {
     const std::size_t columns = info->per_order ? HortonStrahler::largest_order(n) + 1 : 1;

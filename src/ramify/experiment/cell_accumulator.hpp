@@ -30,8 +30,8 @@ class CellAccumulator {
   Size n_;
   bool counts_orders_;
   std::vector<StatisticValue> row_;
-  std::vector<bool> real_;            // column by column
-  std::vector<std::size_t> slot_;     // index into wholes_ or reals_
+  std::vector<bool> real_;         // column by column
+  std::vector<std::size_t> slot_;  // index into wholes_ or reals_
   std::vector<WholeSummary> wholes_;
   std::vector<RealSummary> reals_;
   OrderTotals nodes_, streams_;

@@ -17,7 +17,8 @@ struct ColumnSummary {
   double standard_error = 0;
   double variance = 0;
   double min = 0, q05 = 0, q50 = 0, q95 = 0, max = 0;
-  /// Value and number of trees; kept where there are at most histogram_values different whole values, else empty.
+  /// Value and number of trees; kept where there are at most histogram_values different whole values, else
+  /// empty.
   std::vector<std::pair<std::int64_t, std::uint64_t>> histogram;
 
   static constexpr std::size_t histogram_values = 64;
@@ -37,7 +38,8 @@ struct CellResult {
   std::vector<ColumnSummary> columns;
   std::vector<OrderSummary> orders;  ///< orders 0.., where nodes or streams were asked for
 
-  /// The column of that name; throws std::out_of_range where there is none (a claim's config must ask for it).
+  /// The column of that name; throws std::out_of_range where there is none (a claim's config must ask for
+  /// it).
   const ColumnSummary& column(const std::string& name) const;
 };
 

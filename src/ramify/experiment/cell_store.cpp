@@ -1,9 +1,9 @@
 #include "ramify/experiment/cell_store.hpp"
 
-#include <fmt/format.h>
-
 #include <fstream>
 #include <limits>
+
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "ramify/core/version.hpp"
@@ -16,18 +16,31 @@ namespace {
 using nlohmann::json;
 
 // JSON has no NaN: the ratio above the top order is null.
-json number(double value) { return value == value ? json(value) : json(nullptr); }
+json number(double value) {
+  return value == value ? json(value) : json(nullptr);
+}
 double number(const json& value) {
   return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
 }
 
-json to_json(const Estimate& estimate) { return {number(estimate.value), number(estimate.standard_error)}; }
-Estimate to_estimate(const json& pair) { return {number(pair.at(0)), number(pair.at(1))}; }
+json to_json(const Estimate& estimate) {
+  return {number(estimate.value), number(estimate.standard_error)};
+}
+Estimate to_estimate(const json& pair) {
+  return {number(pair.at(0)), number(pair.at(1))};
+}
 
 json to_json(const ColumnSummary& c) {
-  return {{"name", c.name}, {"mean", c.mean}, {"standard_error", c.standard_error}, {"variance", c.variance},
-          {"min", c.min},   {"q05", c.q05},   {"q50", c.q50},                       {"q95", c.q95},
-          {"max", c.max},   {"histogram", c.histogram}};
+  return {{"name", c.name},
+          {"mean", c.mean},
+          {"standard_error", c.standard_error},
+          {"variance", c.variance},
+          {"min", c.min},
+          {"q05", c.q05},
+          {"q50", c.q50},
+          {"q95", c.q95},
+          {"max", c.max},
+          {"histogram", c.histogram}};
 }
 
 ColumnSummary to_column(const json& j) {
@@ -51,7 +64,10 @@ json to_json(const CellResult& cell) {
   for (const auto& order : cell.orders)
     orders.push_back({to_json(order.nodes), to_json(order.streams), to_json(order.nodes_pooled_ratio),
                       to_json(order.streams_pooled_ratio)});
-  return {{"model", cell.model}, {"n", cell.n}, {"replicates", cell.replicates}, {"columns", columns},
+  return {{"model", cell.model},
+          {"n", cell.n},
+          {"replicates", cell.replicates},
+          {"columns", columns},
           {"orders", orders}};
 }
 
@@ -71,8 +87,8 @@ CellResult to_cell(const json& j) {
 
 std::filesystem::path CellStore::file_of(std::size_t index) const {
   const Cell& cell = plan_->cells[index];
-  std::string key = fmt::format("{} {} {} {}({}) {} {}", version, table_schema, plan_->seed, cell.model.name(),
-                                cell.model.stream_cell(cell.n), cell.n, cell.replicates);
+  std::string key = fmt::format("{} {} {} {}({}) {} {}", version, table_schema, plan_->seed,
+                                cell.model.name(), cell.model.stream_cell(cell.n), cell.n, cell.replicates);
   for (const auto* info : plan_->statistics.chosen()) key += fmt::format(" {}", info->name);
   return folder_ / fmt::format("{:016x}.json", hash_text(key));
 }

@@ -10,8 +10,8 @@ namespace ramify {
 
 /// Finished cells on disk, one JSON file each: what --resume and the verdicts read.
 ///
-/// A file's name is a hash of all that its content depends on (version, seed, statistics, model, n, replicates), so a stored
-/// cell is either exactly the one wanted or not found.
+/// A file's name is a hash of all that its content depends on (version, seed, statistics, model, n,
+/// replicates), so a stored cell is either exactly the one wanted or not found.
 class CellStore {
  public:
   CellStore(std::filesystem::path folder, const Plan& plan) : folder_(std::move(folder)), plan_(&plan) {}

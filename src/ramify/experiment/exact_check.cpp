@@ -11,7 +11,8 @@
 namespace ramify {
 namespace {
 
-/// A sample of T trees cannot tell an event of probability below 1/T from none, so no error is taken below 1/T.
+/// A sample of T trees cannot tell an event of probability below 1/T from none, so no error is taken below
+/// 1/T.
 double standard_error(const ColumnSummary& column, const Moments& exact, std::uint64_t trees) {
   const double count = static_cast<double>(trees);
   const double variance = std::isnan(exact.variance) ? column.variance : exact.variance;
@@ -21,7 +22,8 @@ double standard_error(const ColumnSummary& column, const Moments& exact, std::ui
 std::optional<ExactCheck> check(const ColumnSummary& column, const CellResult& cell, const ExactMeans& laws) {
   const auto exact = laws.moments(column.name, cell.n);
   if (!exact) return std::nullopt;
-  return ExactCheck{exact->mean, (column.mean - exact->mean) / standard_error(column, *exact, cell.replicates)};
+  return ExactCheck{exact->mean,
+                    (column.mean - exact->mean) / standard_error(column, *exact, cell.replicates)};
 }
 
 }  // namespace
@@ -35,11 +37,13 @@ std::vector<CheckedCell> unchecked(std::vector<FinishedCell> cells) {
   return result;
 }
 
-std::vector<CheckedCell> check_against_exact_laws(const Plan& plan, std::vector<FinishedCell> cells, unsigned threads) {
+std::vector<CheckedCell> check_against_exact_laws(const Plan& plan, std::vector<FinishedCell> cells,
+                                                  unsigned threads) {
   std::vector<CheckedCell> checked = unchecked(std::move(cells));
   std::map<std::string, std::vector<std::size_t>> by_model;
   for (std::size_t i = 0; i < checked.size(); ++i) by_model[checked[i].result.model].push_back(i);
-  const std::vector<std::pair<std::string, std::vector<std::size_t>>> groups(by_model.begin(), by_model.end());
+  const std::vector<std::pair<std::string, std::vector<std::size_t>>> groups(by_model.begin(),
+                                                                             by_model.end());
   parallel_for(groups.size(), threads, [&](std::size_t group, unsigned) {
     const auto& members = groups[group].second;
     const Model& model = plan.cells[checked[members.front()].number - 1].model;

@@ -33,7 +33,8 @@ WorkEstimate estimate_work(const Plan& plan, unsigned threads) {
     const double trees = static_cast<double>(cell.replicates);
     work.nodes += static_cast<double>(cell.n) * trees;
     const double columns = static_cast<double>(plan.statistics.columns(cell.n).size());
-    const double bytes = open_levels(cell) * open_node_bytes * threads + table_bytes + trees * columns * value_bytes;
+    const double bytes =
+        open_levels(cell) * open_node_bytes * threads + table_bytes + trees * columns * value_bytes;
     work.megabytes = std::max(work.megabytes, 20 + bytes / 1e6);
   }
   work.minutes = work.nodes * nanoseconds_a_node / 1e9 / 60 / threads;

@@ -27,9 +27,9 @@ Plan make_plan(const RunConfig& config);
 
 /// What a plan costs before it is started.
 struct WorkEstimate {
-  double nodes;     ///< internal nodes to grow
-  double minutes;   ///< at about 25 ns a node and thread: a guess to plan by, not a promise
-  double megabytes; ///< peak memory, as far as it depends on the plan
+  double nodes;      ///< internal nodes to grow
+  double minutes;    ///< at about 25 ns a node and thread: a guess to plan by, not a promise
+  double megabytes;  ///< peak memory, as far as it depends on the plan
 };
 
 WorkEstimate estimate_work(const Plan& plan, unsigned threads);

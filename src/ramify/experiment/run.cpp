@@ -1,9 +1,9 @@
 #include "ramify/experiment/run.hpp"
 
-#include <fmt/format.h>
-
 #include <chrono>
 #include <map>
+
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "ramify/core/provenance.hpp"
@@ -22,7 +22,8 @@ namespace fs = std::filesystem;
 /// The cells of a run, some of them loaded from an earlier one.
 class CellBook {
  public:
-  CellBook(const Plan& plan, const fs::path& folder) : plan_(plan), store_(folder, plan), wanted_(plan.cells.size(), true) {}
+  CellBook(const Plan& plan, const fs::path& folder)
+      : plan_(plan), store_(folder, plan), wanted_(plan.cells.size(), true) {}
 
   void take_over(const CellStore& earlier) {
     for (std::size_t i = 0; i < plan_.cells.size(); ++i) {
@@ -51,9 +52,10 @@ class CellBook {
   std::map<std::size_t, CellResult> done_;
 };
 
-nlohmann::ordered_json provenance_of(const RunConfig& config, const RunOptions& options, const Provenance& process) {
-  return {{"program", "ramify"},        {"version", process.version},   {"schema", process.schema},
-          {"config", config.path},      {"config_text", config.text},   {"seed", config.seed},
+nlohmann::ordered_json provenance_of(const RunConfig& config, const RunOptions& options,
+                                     const Provenance& process) {
+  return {{"program", "ramify"},          {"version", process.version}, {"schema", process.schema},
+          {"config", config.path},        {"config_text", config.text}, {"seed", config.seed},
           {"compiler", process.compiler}, {"host", process.host},       {"threads", options.threads},
           {"started", process.started}};
 }
@@ -72,7 +74,8 @@ void move_into_place(const fs::path& work, const fs::path& folder) {
 
 }  // namespace
 
-RunOutcome run_experiment(const RunConfig& config, const RunOptions& options, const Cancellation& cancellation) {
+RunOutcome run_experiment(const RunConfig& config, const RunOptions& options,
+                          const Cancellation& cancellation) {
   const Provenance process = current_provenance();
   const auto begin = std::chrono::steady_clock::now();
   const Plan plan = make_plan(config);
@@ -88,17 +91,21 @@ RunOutcome run_experiment(const RunConfig& config, const RunOptions& options, co
   }
   RunObserver observer;
   observer.cell_done = [&](std::size_t index, const CellResult& result) { book.keep(index, result); };
-  if (options.progress) observer.progress = [&, total = estimate_work(plan, 1).nodes](double done) { options.progress(done, total); };
+  if (options.progress)
+    observer.progress = [&, total = estimate_work(plan, 1).nodes](double done) {
+      options.progress(done, total);
+    };
   std::vector<bool> wanted = book.wanted();
   const bool grown = run_cells(plan, wanted, options.threads, cancellation, observer);
 
   // A stopped run has two seconds to put its things away: no laws, no plots.
-  RunOutcome outcome{grown ? check_against_exact_laws(plan, book.finished(), options.threads)
-                           : unchecked(book.finished()),
-                     grown, work};
+  RunOutcome outcome{
+      grown ? check_against_exact_laws(plan, book.finished(), options.threads) : unchecked(book.finished()),
+      grown, work};
   write_tables(work, outcome.cells);
   if (grown)
-    for (const auto& [stem, plot] : run_plots(outcome.cells, plan.statistics)) write_plot(plot, work / "plots", stem);
+    for (const auto& [stem, plot] : run_plots(outcome.cells, plan.statistics))
+      write_plot(plot, work / "plots", stem);
   auto provenance = provenance_of(config, options, process);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   provenance["duration_seconds"] = seconds.count();

@@ -11,9 +11,10 @@
 namespace ramify {
 
 struct RunOptions {
-  std::filesystem::path folder;    ///< of this run; made at the end, in one step, from "<folder>.incomplete"
+  std::filesystem::path folder;  ///< of this run; made at the end, in one step, from "<folder>.incomplete"
   unsigned threads = 1;
-  bool resume = false;             ///< take over the cells a stopped run left in "<folder>.incomplete", or all of a finished run
+  bool resume =
+      false;  ///< take over the cells a stopped run left in "<folder>.incomplete", or all of a finished run
   std::function<void(double done, double total)> progress;  ///< nodes; may be empty
 };
 
@@ -23,10 +24,12 @@ struct RunOutcome {
   std::filesystem::path folder;    ///< where the tables lie: options.folder, or "<folder>.incomplete"
 };
 
-/// Runs a config: grows the trees of all its cells, checks the means against exact laws, writes the tables, plots and provenance.
+/// Runs a config: grows the trees of all its cells, checks the means against exact laws, writes the tables,
+/// plots and provenance.
 ///
 /// Throws Error before any work where the folder cannot be written. A stopped run keeps its complete cells in
 /// "<folder>.incomplete", with tables of them and a provenance that says so.
-RunOutcome run_experiment(const RunConfig& config, const RunOptions& options, const Cancellation& cancellation);
+RunOutcome run_experiment(const RunConfig& config, const RunOptions& options,
+                          const Cancellation& cancellation);
 
 }  // namespace ramify

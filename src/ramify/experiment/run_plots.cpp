@@ -27,13 +27,15 @@ std::vector<PlotSeries> means_by_model(const std::vector<CheckedCell>& cells, co
 
 }  // namespace
 
-std::vector<std::pair<std::string, Plot>> run_plots(const std::vector<CheckedCell>& cells, const StatisticSet& statistics) {
+std::vector<std::pair<std::string, Plot>> run_plots(const std::vector<CheckedCell>& cells,
+                                                    const StatisticSet& statistics) {
   std::vector<std::pair<std::string, Plot>> plots;
   for (const auto* info : statistics.chosen()) {
     if (info->per_order || info->name == "size") continue;
     const std::string name(info->name);
     auto series = means_by_model(cells, name);
-    const bool has_line = std::any_of(series.begin(), series.end(), [](const auto& s) { return s.points.size() > 1; });
+    const bool has_line =
+        std::any_of(series.begin(), series.end(), [](const auto& s) { return s.points.size() > 1; });
     if (!has_line) continue;
     plots.emplace_back(name, Plot{std::string(info->description), "sampled means with two standard errors",
                                   "n (internal nodes)", "mean " + name, true, false, std::move(series)});

@@ -9,8 +9,9 @@
 
 namespace ramify {
 
-/// One plot for each statistic with a single column: its mean against n, a line for each model. None where no model has
-/// two sizes.
-std::vector<std::pair<std::string, Plot>> run_plots(const std::vector<CheckedCell>& cells, const StatisticSet& statistics);
+/// One plot for each statistic with a single column: its mean against n, a line for each model. None where no
+/// model has two sizes.
+std::vector<std::pair<std::string, Plot>> run_plots(const std::vector<CheckedCell>& cells,
+                                                    const StatisticSet& statistics);
 
 }  // namespace ramify

@@ -1,9 +1,9 @@
 #include "ramify/experiment/run_tables.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include <fmt/format.h>
 
 #include "ramify/core/number.hpp"
 #include "ramify/io/csv_writer.hpp"
@@ -31,8 +31,8 @@ std::optional<double> CheckedCell::worst_z() const {
 }
 
 std::string summary_table(const std::vector<CheckedCell>& cells) {
-  CsvTable table({"cell", "model", "n", "replicates", "statistic", "mean", "standard_error", "variance", "min", "q05",
-                  "q50", "q95", "max", "exact_mean", "z"});
+  CsvTable table({"cell", "model", "n", "replicates", "statistic", "mean", "standard_error", "variance",
+                  "min", "q05", "q50", "q95", "max", "exact_mean", "z"});
   for (const auto& cell : cells) {
     for (std::size_t i = 0; i < cell.result.columns.size(); ++i) {
       const auto& c = cell.result.columns[i];

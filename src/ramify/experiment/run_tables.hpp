@@ -8,7 +8,8 @@
 
 namespace ramify {
 
-/// The exact value beside a sampled mean, where a law is in reach: the mean, and how many standard errors the sample lies off.
+/// The exact value beside a sampled mean, where a law is in reach: the mean, and how many standard errors the
+/// sample lies off.
 struct ExactCheck {
   double exact_mean;
   double z;

@@ -15,7 +15,9 @@ namespace ramify {
 namespace {
 
 /// Trees in a block: about a million nodes, so that the last blocks of a run do not leave threads idle.
-std::uint64_t block_trees(Size n) { return std::clamp<std::uint64_t>((Size{1} << 20) / std::max<Size>(n, 1), 1, 1024); }
+std::uint64_t block_trees(Size n) {
+  return std::clamp<std::uint64_t>((Size{1} << 20) / std::max<Size>(n, 1), 1, 1024);
+}
 
 struct Block {
   std::size_t cell;
@@ -33,7 +35,11 @@ class Run {
  public:
   Run(const Plan& plan, const std::vector<bool>& wanted, unsigned threads, const Cancellation& cancellation,
       const RunObserver& observer)
-      : plan_(plan), cancellation_(cancellation), observer_(observer), samplers_(threads), open_(plan.cells.size()) {
+      : plan_(plan),
+        cancellation_(cancellation),
+        observer_(observer),
+        samplers_(threads),
+        open_(plan.cells.size()) {
     for (std::size_t c = 0; c < plan.cells.size(); ++c) {
       if (!wanted[c]) continue;
       add_blocks(c);
@@ -45,7 +51,9 @@ class Run {
   bool execute() {
     try {
       parallel_for(blocks_.size(), static_cast<unsigned>(samplers_.size()),
-                   [this](std::size_t b, unsigned worker) { finish(blocks_[b], grow(blocks_[b], samplers_[worker])); });
+                   [this](std::size_t b, unsigned worker) {
+                     finish(blocks_[b], grow(blocks_[b], samplers_[worker]));
+                   });
     } catch (const Interrupted&) {
       return false;
     }
@@ -112,8 +120,8 @@ class Run {
 
 }  // namespace
 
-bool run_cells(const Plan& plan, const std::vector<bool>& wanted, unsigned threads, const Cancellation& cancellation,
-               const RunObserver& observer) {
+bool run_cells(const Plan& plan, const std::vector<bool>& wanted, unsigned threads,
+               const Cancellation& cancellation, const RunObserver& observer) {
   return Run(plan, wanted, threads, cancellation, observer).execute();
 }
 

@@ -16,7 +16,8 @@
 namespace ramify {
 namespace {
 
-std::vector<std::string> format_row(const TreeBatch& batch, std::uint64_t replicate, const StatisticSet& statistics,
+std::vector<std::string> format_row(const TreeBatch& batch, std::uint64_t replicate,
+                                    const StatisticSet& statistics,
                                     const std::vector<StatisticValue>& values) {
   std::vector<std::string> row{batch.model.text(), std::to_string(batch.n), std::to_string(batch.seed),
                                std::to_string(replicate)};
@@ -57,7 +58,8 @@ std::string TreeBatch::table(const StatisticSet& statistics, std::uint64_t first
   return table.text();
 }
 
-std::string TreeBatch::words(std::uint64_t first, std::uint64_t last, const Cancellation& cancellation) const {
+std::string TreeBatch::words(std::uint64_t first, std::uint64_t last,
+                             const Cancellation& cancellation) const {
   const StreamKey key{seed, model.stream_cell(n)};
   std::vector<std::string> lines(last - first);
   std::visit(

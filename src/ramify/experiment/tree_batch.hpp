@@ -10,8 +10,8 @@ namespace ramify {
 
 /// Trees of one model, size and seed, replicate by replicate: what `ramify sample` prints.
 ///
-/// Rows come in the order of the replicates and depend on (model, n, seed, replicate) alone, whatever the threads.
-/// Throws Interrupted when cancelled.
+/// Rows come in the order of the replicates and depend on (model, n, seed, replicate) alone, whatever the
+/// threads. Throws Interrupted when cancelled.
 struct TreeBatch {
   Model model;
   Size n;

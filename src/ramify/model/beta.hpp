@@ -9,7 +9,8 @@
 
 namespace ramify {
 
-/// Beta split tree, floor model (A5, A8): left = floor(nX), X ~ beta(a,b) fresh at every node. Kruszewski 1996, 2.5.2.
+/// Beta split tree, floor model (A5, A8): left = floor(nX), X ~ beta(a,b) fresh at every node. Kruszewski
+/// 1996, 2.5.2.
 ///
 /// a, b > 0 (tested from 0.01 to 1000); n <= 2^50. beta(1,1) is the BST.
 class Beta {
@@ -23,7 +24,8 @@ class Beta {
   double a() const { return a_; }
   double b() const { return b_; }
 
-  /// floor(nX), taken from the end that X is nearer to, so that X = 1 - 1e-30 still leaves exactly 0 on the right.
+  /// floor(nX), taken from the end that X is nearer to, so that X = 1 - 1e-30 still leaves exactly 0 on the
+  /// right.
   template <class Urbg>
   Size left(Size n, Urbg& stream) const {
     const UnitPair pair = beta_variate(stream, a_, b_);
@@ -33,7 +35,8 @@ class Beta {
     return n - std::clamp(right_and_root, Size{1}, n);
   }
 
-  /// P(left = i) = I_((i+1)/n)(a,b) - I_(i/n)(a,b), each difference taken on the side where the incomplete beta is small.
+  /// P(left = i) = I_((i+1)/n)(a,b) - I_(i/n)(a,b), each difference taken on the side where the incomplete
+  /// beta is small.
   std::vector<double> pmf(Size n) const;
 
  private:

@@ -5,8 +5,8 @@
 namespace ramify {
 
 std::vector<double> binomial_weights(Size m, double p) {
-  // Ratios from the mode outwards lose one rounding a step and underflow only where the weight itself does; the
-  // sum, which is 1, then fixes the scale.
+  // Ratios from the mode outwards lose one rounding a step and underflow only where the weight itself does;
+  // the sum, which is 1, then fixes the scale.
   const auto mode = static_cast<Size>(static_cast<double>(m + 1) * p);
   std::vector<double> weights(m + 1);
   const Size start = mode > m ? m : mode;

@@ -57,7 +57,9 @@ Size Catalan::smaller_half(Size n, double u) {
 }
 
 std::vector<double> Catalan::pmf(Size n) const {
-  const auto catalan_number = [](Size i) { return central_binomial(i) / static_cast<double>(i + 1); };  // C_i / 4^i
+  const auto catalan_number = [](Size i) {
+    return central_binomial(i) / static_cast<double>(i + 1);
+  };  // C_i / 4^i
   const double total = 4 * catalan_number(n);
   std::vector<double> weights(n);
   for (Size i = 0; i < n; ++i) weights[i] = catalan_number(i) * catalan_number(n - 1 - i) / total;

@@ -7,8 +7,8 @@
 
 namespace ramify {
 
-/// Equiprobable binary tree (A15): uniform over the C_n = C(2n,n)/(n+1) trees with n internal nodes; also segmental
-/// growth (A16) and the critical binary Galton-Watson tree given its size. n <= 2^50.
+/// Equiprobable binary tree (A15): uniform over the C_n = C(2n,n)/(n+1) trees with n internal nodes; also
+/// segmental growth (A16) and the critical binary Galton-Watson tree given its size. n <= 2^50.
 class Catalan {
  public:
   static constexpr Size largest_size = max_double_size;
@@ -23,10 +23,11 @@ class Catalan {
   /// P(left = i) = C_i C_(n-1-i) / C_n.
   std::vector<double> pmf(Size n) const;
 
-  /// The left size at level u in (0,1) of the lower half of its law: the k <= (n-1)/2 with h(k) >= u > h(k+1), where
+  /// The left size at level u in (0,1) of the lower half of its law: the k <= (n-1)/2 with h(k) >= u >
+  /// h(k+1), where
   ///   P(left < k) = (1 - h(k)) / 2,   h(k) = (1 - 2k/n) g_k g_(n-k) / g_n,   g_i = C(2i,i) / 4^i.
-  /// The partial sums of C_i C_(n-1-i) telescope (checked against them in tests/exact), so inversion is exact: one guess from
-  /// g_i ~ 1/sqrt(pi (i + 1/4)), then a step or two. O(1).
+  /// The partial sums of C_i C_(n-1-i) telescope (checked against them in tests/exact), so inversion is
+  /// exact: one guess from g_i ~ 1/sqrt(pi (i + 1/4)), then a step or two. O(1).
   static Size smaller_half(Size n, double u);
 
   /// g_i = C(2i,i) / 4^i, relative error below 1e-15.

@@ -5,8 +5,12 @@
 
 namespace ramify {
 
-Dst::Dst(double p) : p_(p) { require_probability("dst(p)", "p", p); }
+Dst::Dst(double p) : p_(p) {
+  require_probability("dst(p)", "p", p);
+}
 
-std::vector<double> Dst::pmf(Size n) const { return binomial_weights(n - 1, p_); }
+std::vector<double> Dst::pmf(Size n) const {
+  return binomial_weights(n - 1, p_);
+}
 
 }  // namespace ramify

@@ -9,8 +9,8 @@ namespace ramify {
 
 /// Digital search tree on n random bit strings (A11): left ~ Binomial(n-1, p). 0 < p < 1, n <= 2^50.
 ///
-/// The thesis calls it the binomial split tree and takes it for PATRICIA (3.2.2), which it is only asymptotically; it
-/// also writes Binomial(n, p), which can leave the range 0..n-1 (X16).
+/// The thesis calls it the binomial split tree and takes it for PATRICIA (3.2.2), which it is only
+/// asymptotically; it also writes Binomial(n, p), which can leave the range 0..n-1 (X16).
 class Dst {
  public:
   static constexpr Size largest_size = max_double_size;

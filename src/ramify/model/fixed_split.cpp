@@ -4,7 +4,9 @@
 
 namespace ramify {
 
-FixedSplit::FixedSplit(double x) : x_(x) { require_probability("split(x)", "x", x); }
+FixedSplit::FixedSplit(double x) : x_(x) {
+  require_probability("split(x)", "x", x);
+}
 
 std::vector<double> FixedSplit::pmf(Size n) const {
   std::vector<double> weights(n, 0.0);

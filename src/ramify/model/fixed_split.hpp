@@ -7,8 +7,8 @@
 
 namespace ramify {
 
-/// Deterministic split tree (A6): left = floor(nx) at every node. 0 < x < 1, n <= 2^50. Kruszewski 1996, 2.5.1.
-/// The product n x is taken in double precision: x is the double nearest to what was written.
+/// Deterministic split tree (A6): left = floor(nx) at every node. 0 < x < 1, n <= 2^50. Kruszewski
+/// 1996, 2.5.1. The product n x is taken in double precision: x is the double nearest to what was written.
 class FixedSplit {
  public:
   static constexpr Size largest_size = max_double_size;

@@ -1,8 +1,8 @@
 #include "ramify/model/parameter.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
+
+#include <fmt/format.h>
 
 #include "ramify/core/error.hpp"
 

@@ -7,7 +7,9 @@
 
 namespace ramify {
 
-Patricia::Patricia(double p) : p_(p) { require_probability("patricia(p)", "p", p); }
+Patricia::Patricia(double p) : p_(p) {
+  require_probability("patricia(p)", "p", p);
+}
 
 std::vector<double> Patricia::pmf(Size n) const {
   const std::vector<double> strings = binomial_weights(n + 1, p_);

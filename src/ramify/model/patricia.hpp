@@ -9,8 +9,9 @@ namespace ramify {
 
 /// Random PATRICIA tree on n+1 bit strings (A13): left = K-1, K ~ Binomial(n+1, p) given 1 <= K <= n.
 ///
-/// K strings have 0 at the first bit that tells any two apart; every child holds one string at least, or the node
-/// would have been contracted. 0 < p < 1 is the probability of left; n <= 2^50. Kruszewski 1996, 3.2.2 and B.2.
+/// K strings have 0 at the first bit that tells any two apart; every child holds one string at least, or the
+/// node would have been contracted. 0 < p < 1 is the probability of left; n <= 2^50. Kruszewski 1996, 3.2.2
+/// and B.2.
 class Patricia {
  public:
   static constexpr Size largest_size = max_double_size;

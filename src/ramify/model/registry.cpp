@@ -1,10 +1,10 @@
 #include "ramify/model/registry.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <cctype>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "ramify/core/error.hpp"
 #include "ramify/core/nearest_name.hpp"
@@ -24,7 +24,8 @@ std::vector<std::string> known_names() {
 
 const ModelInfo& find_model(const std::string& name) {
   const auto& all = models();
-  const auto found = std::find_if(all.begin(), all.end(), [&](const ModelInfo& info) { return info.name == name; });
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const ModelInfo& info) { return info.name == name; });
   if (found != all.end()) return *found;
   throw Error(fmt::format("unknown model '{}'", name), "no model has that name",
               did_you_mean(name, known_names()) + "see: ramify list models");
@@ -76,21 +77,46 @@ std::string ModelInfo::signature() const {
 
 const std::vector<ModelInfo>& models() {
   static const std::vector<ModelInfo> all{
-      {"bst", {}, internal_nodes, "none", "random binary search tree: left uniform on 0..n-1", "A14; Devroye 1986",
+      {"bst",
+       {},
+       internal_nodes,
+       "none",
+       "random binary search tree: left uniform on 0..n-1",
+       "A14; Devroye 1986",
        [](std::span<const double>) -> AnySplitLaw { return Bst(); }},
-      {"beta", {"a", "b"}, internal_nodes, "a, b > 0; n <= 2^50", "left = floor(nX), X ~ beta(a,b)",
+      {"beta",
+       {"a", "b"},
+       internal_nodes,
+       "a, b > 0; n <= 2^50",
+       "left = floor(nX), X ~ beta(a,b)",
        "A5, A8; Kruszewski 1996, 2.5.2",
        [](std::span<const double> v) -> AnySplitLaw { return Beta(v[0], v[1]); }},
-      {"split", {"x"}, internal_nodes, "0 < x < 1; n <= 2^50", "deterministic: left = floor(nx)",
+      {"split",
+       {"x"},
+       internal_nodes,
+       "0 < x < 1; n <= 2^50",
+       "deterministic: left = floor(nx)",
        "A6; Kruszewski 1996, 2.5.1",
        [](std::span<const double> v) -> AnySplitLaw { return FixedSplit(v[0]); }},
-      {"dst", {"p"}, internal_nodes, "0 < p < 1; n <= 2^50",
-       "digital search tree: left ~ Bin(n-1,p); the thesis's binomial tree", "A11, X16",
+      {"dst",
+       {"p"},
+       internal_nodes,
+       "0 < p < 1; n <= 2^50",
+       "digital search tree: left ~ Bin(n-1,p); the thesis's binomial tree",
+       "A11, X16",
        [](std::span<const double> v) -> AnySplitLaw { return Dst(v[0]); }},
-      {"patricia", {"p"}, internal_nodes, "0 < p < 1; n <= 2^50",
-       "PATRICIA on n+1 strings: left = K-1, K ~ Bin(n+1,p) given 1 <= K <= n", "A13; Kruszewski 1996, 3.2.2",
+      {"patricia",
+       {"p"},
+       internal_nodes,
+       "0 < p < 1; n <= 2^50",
+       "PATRICIA on n+1 strings: left = K-1, K ~ Bin(n+1,p) given 1 <= K <= n",
+       "A13; Kruszewski 1996, 3.2.2",
        [](std::span<const double> v) -> AnySplitLaw { return Patricia(v[0]); }},
-      {"catalan", {}, internal_nodes, "n <= 2^50", "equiprobable binary tree: left = i with C_i C_(n-1-i) / C_n",
+      {"catalan",
+       {},
+       internal_nodes,
+       "n <= 2^50",
+       "equiprobable binary tree: left = i with C_i C_(n-1-i) / C_n",
        "A15; Flajolet, Raoult, Vuillemin 1979",
        [](std::span<const double>) -> AnySplitLaw { return Catalan(); }},
   };
@@ -98,7 +124,10 @@ const std::vector<ModelInfo>& models() {
 }
 
 Model::Model(std::string text, std::string name, std::vector<double> parameters, AnySplitLaw law)
-    : text_(std::move(text)), name_(std::move(name)), parameters_(std::move(parameters)), law_(std::move(law)) {}
+    : text_(std::move(text)),
+      name_(std::move(name)),
+      parameters_(std::move(parameters)),
+      law_(std::move(law)) {}
 
 Model Model::parse(std::string_view text) {
   std::string compact(text);
@@ -117,8 +146,8 @@ Size Model::largest_size() const {
 void Model::require_size(Size n) const {
   if (n <= largest_size()) return;
   throw Error(fmt::format("n = {} for {}", n, text_),
-              fmt::format("{} draws sizes up to {}: above, its arithmetic no longer reaches every index", name_,
-                          largest_size()),
+              fmt::format("{} draws sizes up to {}: above, its arithmetic no longer reaches every index",
+                          name_, largest_size()),
               "take a smaller n, or bst, which reaches 2^62");
 }
 

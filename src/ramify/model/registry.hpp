@@ -21,12 +21,12 @@ using AnySplitLaw = std::variant<Bst, Beta, FixedSplit, Dst, Patricia, Catalan>;
 
 /// What `ramify list models` says of a model.
 struct ModelInfo {
-  std::string_view name;                    ///< "beta"
-  std::vector<std::string_view> parameters; ///< "a", "b"
-  std::string_view n_counts;                ///< what n counts
-  std::string_view domain;                  ///< of the parameters
-  std::string_view description;             ///< the split law in a line
-  std::string_view source;                  ///< author year, catalogue number
+  std::string_view name;                     ///< "beta"
+  std::vector<std::string_view> parameters;  ///< "a", "b"
+  std::string_view n_counts;                 ///< what n counts
+  std::string_view domain;                   ///< of the parameters
+  std::string_view description;              ///< the split law in a line
+  std::string_view source;                   ///< author year, catalogue number
   AnySplitLaw (*make)(std::span<const double> parameters);
 
   /// "beta(a,b)"
@@ -39,8 +39,8 @@ const std::vector<ModelInfo>& models();
 /// A model with its parameters, as written on a command line or in a config.
 class Model {
  public:
-  /// "bst", "beta(10,80)", "patricia(1/4.35)"; white space is ignored. Throws Error for an unknown name (nearest names given), a
-  /// wrong number of parameters, a parameter that is no number or out of its domain.
+  /// "bst", "beta(10,80)", "patricia(1/4.35)"; white space is ignored. Throws Error for an unknown name
+  /// (nearest names given), a wrong number of parameters, a parameter that is no number or out of its domain.
   static Model parse(std::string_view text);
 
   /// The model as written, without white space.
@@ -54,7 +54,8 @@ class Model {
   /// Throws Error where n is larger than the model can draw.
   void require_size(Size n) const;
 
-  /// Hash of (model, n): the cell half of a StreamKey. Depends on the values of the parameters, not on how they are written.
+  /// Hash of (model, n): the cell half of a StreamKey. Depends on the values of the parameters, not on how
+  /// they are written.
   std::uint64_t stream_cell(Size n) const;
 
   /// Same name and same values of the parameters.

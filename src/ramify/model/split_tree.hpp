@@ -11,11 +11,12 @@
 
 namespace ramify {
 
-/// A split tree as a grammar (A5): size 0 is external; size n >= 1 is internal with children L and n-1-L, L from the law.
+/// A split tree as a grammar (A5): size 0 is external; size n >= 1 is internal with children L and n-1-L, L
+/// from the law.
 ///
-/// Where the law asks for it, sizes up to `table_size` are drawn from alias tables of its exact pmf: one word and
-/// one look-up in place of a beta or binomial variate. Most nodes are that small (97 of 100 in a BST), so it decides
-/// the speed; the law is the same to within 2^-53. The tables are shared by copies.
+/// Where the law asks for it, sizes up to `table_size` are drawn from alias tables of its exact pmf: one word
+/// and one look-up in place of a beta or binomial variate. Most nodes are that small (97 of 100 in a BST), so
+/// it decides the speed; the law is the same to within 2^-53. The tables are shared by copies.
 template <class Law>
 class SplitTree {
  public:

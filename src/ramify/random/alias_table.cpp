@@ -37,8 +37,8 @@ void build_alias_cells(std::span<const double> weights, std::span<AliasCell> cel
       below.push_back(large);
     }
   }
-  // What is left has height 1 up to rounding. An outcome of weight 0 may be among it: the heaviest outcome takes
-  // what is missing, so that it stays impossible.
+  // What is left has height 1 up to rounding. An outcome of weight 0 may be among it: the heaviest outcome
+  // takes what is missing, so that it stays impossible.
   const auto heaviest = static_cast<std::uint32_t>(
       std::distance(weights.begin(), std::max_element(weights.begin(), weights.end())));
   for (const auto& rest : {below, above})

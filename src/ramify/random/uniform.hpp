@@ -19,8 +19,8 @@ std::uint64_t uniform_below(Urbg& stream, std::uint64_t bound) {
   return product.high;
 }
 
-/// A uniform double in (0,1): the midpoint of one of 2^52 cells (exact, where those of 2^53 would round up to 1 at the end), so
-/// log(u) and log(1-u) are finite.
+/// A uniform double in (0,1): the midpoint of one of 2^52 cells (exact, where those of 2^53 would round up to
+/// 1 at the end), so log(u) and log(1-u) are finite.
 template <class Urbg>
 double uniform_open(Urbg& stream) {
   return (static_cast<double>(stream() >> 12) + 0.5) * 0x1p-52;

@@ -1,9 +1,10 @@
 #pragma once
 
-#include <boost/random/binomial_distribution.hpp>
-#include <boost/random/gamma_distribution.hpp>
 #include <cmath>
 #include <cstdint>
+
+#include <boost/random/binomial_distribution.hpp>
+#include <boost/random/gamma_distribution.hpp>
 
 #include "ramify/core/contract.hpp"
 #include "ramify/random/uniform.hpp"
@@ -29,8 +30,8 @@ double log_gamma_variate(Urbg& stream, double shape) {
 
 /// X ~ beta(a,b) and 1-X, a, b > 0 (0.01 to 1000 tested).
 ///
-/// X = G_a / (G_a + G_b) through the log-ratio of the gammas: X = 1/(1+e^-d), 1-X = 1/(1+e^d), d = log G_a - log G_b.
-/// The plain quotient gives 0/0 and exact ones at a = b = 0.01.
+/// X = G_a / (G_a + G_b) through the log-ratio of the gammas: X = 1/(1+e^-d), 1-X = 1/(1+e^d), d = log G_a -
+/// log G_b. The plain quotient gives 0/0 and exact ones at a = b = 0.01.
 template <class Urbg>
 UnitPair beta_variate(Urbg& stream, double a, double b) {
   const double log_ratio = log_gamma_variate(stream, a) - log_gamma_variate(stream, b);

@@ -6,9 +6,10 @@
 
 namespace ramify {
 
-/// BALANCE number (B16): an edge to a child no larger than any of its siblings counts 1, every other edge 0; the
-/// maximum over root-to-leaf paths of the sum. Equal siblings both count 1. An external node has 0.
-/// Needs labels that are sizes. Every edge that counts at least halves the number of external nodes, so B <= log2(n+1).
+/// BALANCE number (B16): an edge to a child no larger than any of its siblings counts 1, every other edge 0;
+/// the maximum over root-to-leaf paths of the sum. Equal siblings both count 1. An external node has 0. Needs
+/// labels that are sizes. Every edge that counts at least halves the number of external nodes, so B <=
+/// log2(n+1).
 class Balance {
  public:
   using Value = std::uint8_t;

@@ -5,8 +5,8 @@
 
 namespace ramify {
 
-/// Height (B4): nodes on the longest path from the root to an external node, both counted; a single external node has
-/// height 1. theory.md and most of the literature count internal levels: one less.
+/// Height (B4): nodes on the longest path from the root to an external node, both counted; a single external
+/// node has height 1. theory.md and most of the literature count internal levels: one less.
 class Height {
  public:
   using Value = std::uint32_t;

@@ -13,10 +13,11 @@ namespace ramify {
 
 /// Horton-Strahler order, and the counts of nodes and of streams of every order (B6-B9). Leaf order 0.
 ///
-/// S(external) = 0; S = max of the children, plus 1 if two or more of them attain it (the k-ary rule B22; for two children
-/// max + [equal]). nodes_k counts the nodes of order k (the thesis, 3.1.2); streams_k counts the maximal chains of
-/// order k (Horton, Strahler, Viennot and every measured data set): the nodes none of whose children has their order.
-/// The sum of nodes_k over k >= 1 is n, nodes_0 = streams_0 = n+1, the top order has one stream, and 2^S <= n+1.
+/// S(external) = 0; S = max of the children, plus 1 if two or more of them attain it (the k-ary rule B22; for
+/// two children max + [equal]). nodes_k counts the nodes of order k (the thesis, 3.1.2); streams_k counts the
+/// maximal chains of order k (Horton, Strahler, Viennot and every measured data set): the nodes none of whose
+/// children has their order. The sum of nodes_k over k >= 1 is n, nodes_0 = streams_0 = n+1, the top order
+/// has one stream, and 2^S <= n+1.
 class HortonStrahler {
  public:
   using Value = std::uint8_t;

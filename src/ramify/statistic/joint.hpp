@@ -31,8 +31,8 @@ auto get(const ValuePack<Values...>& pack) {
   }
 }
 
-/// Several folds in one pass over one tree: values, joins and tallies side by side. List folds with larger values
-/// first: the pack of values is then the smallest.
+/// Several folds in one pass over one tree: values, joins and tallies side by side. List folds with larger
+/// values first: the pack of values is then the smallest.
 template <class... Folds>
 class Joint {
  public:

@@ -1,8 +1,8 @@
 #include "ramify/statistic/registry.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+
+#include <fmt/format.h>
 
 #include "ramify/core/error.hpp"
 #include "ramify/core/nearest_name.hpp"
@@ -69,26 +69,28 @@ const std::vector<StatisticInfo>& statistics() {
       whole_number("size", "internal nodes", "n, counted on the tree", "B1", false, number<&M::size>),
       whole_number("strahler", leaf_order_0, "Horton-Strahler number: order of the root", "B6", false,
                    number<&M::strahler>),
-      whole_number("height", "nodes on the path, root and external node counted", "longest root-to-leaf path", "B4",
-                   false, number<&M::height>),
+      whole_number("height", "nodes on the path, root and external node counted", "longest root-to-leaf path",
+                   "B4", false, number<&M::height>),
       whole_number("depth", "nodes on the path, root counted; 0 for n = 0",
-                   "D_n of the last node: from size n >= 2 to a child of size i with probability i/(n-1)", "B23", true,
-                   number<&M::depth>),
-      whole_number("fill_level", "root at level 0, external nodes counted", "deepest level with all its nodes", "B18",
-                   true, number<&M::fill_level>),
-      whole_number("balance", "0 for an external node", "most edges to a smaller-or-equal child on a path", "B16",
-                   true, number<&M::balance>),
+                   "D_n of the last node: from size n >= 2 to a child of size i with probability i/(n-1)",
+                   "B23", true, number<&M::depth>),
+      whole_number("fill_level", "root at level 0, external nodes counted",
+                   "deepest level with all its nodes", "B18", true, number<&M::fill_level>),
+      whole_number("balance", "0 for an external node", "most edges to a smaller-or-equal child on a path",
+                   "B16", true, number<&M::balance>),
       order_counts("nodes", "nodes of order k", "B9", count<&M::nodes>),
       order_counts("streams", "streams of order k: maximal chains", "B8", count<&M::streams>),
       order_ratio("nodes_mean_ratio", "nodes, within one tree", "mean of N_k/N_(k+1): the thesis's R",
                   ratio<&M::nodes, &R::mean_ratio>),
-      order_ratio("nodes_regression", "nodes, within one tree, orders 0..S", "exp of minus the slope of log N_k on k",
-                  ratio<&M::nodes, &R::regression>),
-      order_ratio("nodes_geometric", "nodes, within one tree", "(N_0/N_S)^(1/S)", ratio<&M::nodes, &R::geometric>),
+      order_ratio("nodes_regression", "nodes, within one tree, orders 0..S",
+                  "exp of minus the slope of log N_k on k", ratio<&M::nodes, &R::regression>),
+      order_ratio("nodes_geometric", "nodes, within one tree", "(N_0/N_S)^(1/S)",
+                  ratio<&M::nodes, &R::geometric>),
       order_ratio("streams_mean_ratio", "streams, within one tree", "mean of M_k/M_(k+1)",
                   ratio<&M::streams, &R::mean_ratio>),
       order_ratio("streams_regression", "streams, within one tree, orders 0..S",
-                  "exp of minus the slope of log M_k on k: what biologists print", ratio<&M::streams, &R::regression>),
+                  "exp of minus the slope of log M_k on k: what biologists print",
+                  ratio<&M::streams, &R::regression>),
       order_ratio("streams_geometric", "streams, within one tree", "(M_0/M_S)^(1/S)",
                   ratio<&M::streams, &R::geometric>),
   };
@@ -103,16 +105,19 @@ StatisticSet StatisticSet::parse(std::span<const std::string> names) {
   StatisticSet set;
   const auto& all = statistics();
   for (const auto& name : names) {
-    const auto found = std::find_if(all.begin(), all.end(), [&](const auto& info) { return info.name == name; });
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const auto& info) { return info.name == name; });
     if (found == all.end())
       throw Error(fmt::format("unknown statistic '{}'", name), "no statistic has that name",
                   did_you_mean(name, known_names()) + "see: ramify list statistics");
     if (set.contains(name))
-      throw Error(fmt::format("statistic '{}' given twice", name), "each becomes one set of columns", "name it once");
+      throw Error(fmt::format("statistic '{}' given twice", name), "each becomes one set of columns",
+                  "name it once");
     set.chosen_.push_back(&*found);
   }
   if (set.chosen_.empty())
-    throw Error("no statistic", "there is nothing to measure", "name one or more; see: ramify list statistics");
+    throw Error("no statistic", "there is nothing to measure",
+                "name one or more; see: ramify list statistics");
   return set;
 }
 
@@ -137,7 +142,8 @@ std::vector<std::string> StatisticSet::columns(Size n) const {
   return names;
 }
 
-void write_statistics(const StatisticSet& statistics, const TreeMeasures& measures, std::vector<StatisticValue>& row) {
+void write_statistics(const StatisticSet& statistics, const TreeMeasures& measures,
+                      std::vector<StatisticValue>& row) {
   row.clear();
   for (const auto* info : statistics.chosen()) {
     const std::size_t last = info->per_order ? HortonStrahler::largest_order(measures.size) : 0;

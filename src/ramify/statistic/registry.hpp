@@ -20,12 +20,12 @@ union StatisticValue {
 /// What `ramify list statistics` says of a statistic, and how it is read off a measured tree.
 struct StatisticInfo {
   std::string_view name;
-  std::string_view convention;   ///< base, what is counted
+  std::string_view convention;  ///< base, what is counted
   std::string_view description;
   std::string_view source;
-  bool real;                     ///< a real number; else a whole number, summed exactly
-  bool per_order;                ///< one column for each order 0..K
-  bool needs_full_pass;          ///< outside the lean pass (order, height, counts)
+  bool real;             ///< a real number; else a whole number, summed exactly
+  bool per_order;        ///< one column for each order 0..K
+  bool needs_full_pass;  ///< outside the lean pass (order, height, counts)
   StatisticValue (*value)(const TreeMeasures&, std::size_t order);
 
   /// "strahler", or "nodes_0..nodes_K".
@@ -45,8 +45,9 @@ class StatisticSet {
   bool contains(std::string_view name) const;
   bool needs_full_pass() const;
 
-  /// Column names for trees of size n: one a statistic, and nodes_0..nodes_K, streams_0..streams_K with K = floor(log2(n+1)), the
-  /// largest order a tree of that size can have, so that a table's columns never depend on what was drawn.
+  /// Column names for trees of size n: one a statistic, and nodes_0..nodes_K, streams_0..streams_K with K =
+  /// floor(log2(n+1)), the largest order a tree of that size can have, so that a table's columns never depend
+  /// on what was drawn.
   std::vector<std::string> columns(Size n) const;
 
  private:
@@ -54,6 +55,7 @@ class StatisticSet {
 };
 
 /// The chosen statistics of a measured tree, in the order of StatisticSet::columns(measures.size).
-void write_statistics(const StatisticSet& statistics, const TreeMeasures& measures, std::vector<StatisticValue>& row);
+void write_statistics(const StatisticSet& statistics, const TreeMeasures& measures,
+                      std::vector<StatisticValue>& row);
 
 }  // namespace ramify

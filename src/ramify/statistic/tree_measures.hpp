@@ -6,7 +6,8 @@
 
 namespace ramify {
 
-/// Everything one pass over one tree can say; the full pass fills all of it, the lean one leaves the last three 0.
+/// Everything one pass over one tree can say; the full pass fills all of it, the lean one leaves the last
+/// three 0.
 struct TreeMeasures {
   Size size = 0;
   std::uint32_t strahler = 0;

@@ -20,7 +20,8 @@ F make_fold(StreamKey key, std::uint64_t replicate) {
   if constexpr (std::is_same_v<F, LeanFold>) {
     return F();
   } else {
-    return F(LastNodeDepth(Stream(key, replicate, Lane::walk)), Height(), HortonStrahler(), FillLevel(), Balance());
+    return F(LastNodeDepth(Stream(key, replicate, Lane::walk)), Height(), HortonStrahler(), FillLevel(),
+             Balance());
   }
 }
 
@@ -66,7 +67,8 @@ class SamplerOf final : public TreeSampler {
 
 }  // namespace
 
-std::unique_ptr<TreeSampler> make_tree_sampler(const Model& model, bool full_pass, const Cancellation& cancellation) {
+std::unique_ptr<TreeSampler> make_tree_sampler(const Model& model, bool full_pass,
+                                               const Cancellation& cancellation) {
   return std::visit(
       [&]<class Law>(const Law& law) -> std::unique_ptr<TreeSampler> {
         SplitTree<Law> grammar(law);

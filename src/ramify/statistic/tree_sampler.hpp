@@ -15,7 +15,8 @@ class TreeSampler {
  public:
   virtual ~TreeSampler() = default;
 
-  /// The tree of (key, replicate), n internal nodes: depends on nothing else. Throws Interrupted when cancelled.
+  /// The tree of (key, replicate), n internal nodes: depends on nothing else. Throws Interrupted when
+  /// cancelled.
   virtual void sample(Size n, StreamKey key, std::uint64_t replicate, TreeMeasures& measures) = 0;
 
   /// A sampler for another thread.
@@ -24,6 +25,7 @@ class TreeSampler {
 
 /// @param full_pass     also last-node depth, fill level and balance
 /// @param cancellation  must outlive the sampler
-std::unique_ptr<TreeSampler> make_tree_sampler(const Model& model, bool full_pass, const Cancellation& cancellation);
+std::unique_ptr<TreeSampler> make_tree_sampler(const Model& model, bool full_pass,
+                                               const Cancellation& cancellation);
 
 }  // namespace ramify

@@ -14,14 +14,15 @@ namespace ramify {
 /// split tree, any number in a measured one), left to right:
 ///   f.external()                     the value of an external node
 ///   f.join(label, labels, values)    the value of an internal node
-/// Both may add to a tally that f carries (counts per order) and join may draw from a stream that f owns (the walk to
-/// the last node). Values are small and trivially copyable: one is kept for every open node of a growing tree.
-/// Nodes are joined in postorder, left before right.
+/// Both may add to a tally that f carries (counts per order) and join may draw from a stream that f owns (the
+/// walk to the last node). Values are small and trivially copyable: one is kept for every open node of a
+/// growing tree. Nodes are joined in postorder, left before right.
 template <class F, class Label>
-concept Fold = std::is_trivially_copyable_v<typename F::Value> &&
-               requires(F& f, const Label& label, const Pair<Label>& labels, const Pair<typename F::Value>& values) {
-                 { f.external() } -> std::same_as<typename F::Value>;
-                 { f.join(label, labels, values) } -> std::same_as<typename F::Value>;
-               };
+concept Fold =
+    std::is_trivially_copyable_v<typename F::Value> &&
+    requires(F& f, const Label& label, const Pair<Label>& labels, const Pair<typename F::Value>& values) {
+      { f.external() } -> std::same_as<typename F::Value>;
+      { f.join(label, labels, values) } -> std::same_as<typename F::Value>;
+    };
 
 }  // namespace ramify

@@ -38,8 +38,8 @@ class OpenNode {
   bool left_done_;
 };
 
-/// Sizes stay below 2^62, so the top bit of the sibling's size says whether the left child is done: with a value of
-/// 8 bytes an open node costs 24 bytes instead of 32.
+/// Sizes stay below 2^62, so the top bit of the sibling's size says whether the left child is done: with a
+/// value of 8 bytes an open node costs 24 bytes instead of 32.
 template <class Value>
 class OpenNode<Size, Value> {
  public:
@@ -65,8 +65,8 @@ class OpenNode<Size, Value> {
 
 /// Grows a tree depth-first, left before right, and folds it on the way: the tree is never stored.
 ///
-/// Draws from the stream in preorder, so the tree is the one grow_tree stores (store.hpp). Memory: one OpenNode for
-/// every level, on an explicit stack that is kept between trees; use one Grower for each thread.
+/// Draws from the stream in preorder, so the tree is the one grow_tree stores (store.hpp). Memory: one
+/// OpenNode for every level, on an explicit stack that is kept between trees; use one Grower for each thread.
 template <class G, class F, class Urbg>
   requires Grammar<G, Urbg> && Fold<F, typename G::Label>
 class Grower {
@@ -113,7 +113,8 @@ class Grower {
       }
       // An external left child is done at once; with an external right one, so is the node.
       const Value left = fold.external();
-      if (grammar.is_external(children[1])) return fold.join(label, children, Pair<Value>{left, fold.external()});
+      if (grammar.is_external(children[1]))
+        return fold.join(label, children, Pair<Value>{left, fold.external()});
       open_.push({label, children[1]});
       open_.top().finish_left(children[0], left);
       label = children[1];
@@ -124,7 +125,8 @@ class Grower {
   Value close(Label& label, const Value& right, F& fold) {
     const auto& node = open_.top();
     const Label parent = node.label();
-    const Value value = fold.join(parent, Pair<Label>{node.sibling(), label}, Pair<Value>{node.left_value(), right});
+    const Value value =
+        fold.join(parent, Pair<Label>{node.sibling(), label}, Pair<Value>{node.left_value(), right});
     label = parent;
     open_.pop();
     return value;

@@ -13,8 +13,9 @@ namespace ramify {
 /// Folds a stored tree of any arity; labels are sizes (internal nodes of the subtree).
 ///
 /// @param tree  at least one node
-/// Reads the word backwards, which is a postorder with siblings last to first; a fold that draws at random therefore
-/// takes other draws than a growing tree does, from the same law. O(nodes) time, O(height + arity) memory.
+/// Reads the word backwards, which is a postorder with siblings last to first; a fold that draws at random
+/// therefore takes other draws than a growing tree does, from the same law. O(nodes) time, O(height + arity)
+/// memory.
 template <class F>
 typename F::Value measure(const Tree& tree, F& fold) {
   RAMIFY_EXPECTS(tree.node_count() > 0);
@@ -28,7 +29,8 @@ typename F::Value measure(const Tree& tree, F& fold) {
       values.push_back(fold.external());
       continue;
     }
-    // The stack holds the leftmost child on top: turn the top run round to hand the children over left to right.
+    // The stack holds the leftmost child on top: turn the top run round to hand the children over left to
+    // right.
     const auto first = static_cast<std::ptrdiff_t>(values.size() - children);
     std::reverse(sizes.begin() + first, sizes.end());
     std::reverse(values.begin() + first, values.end());

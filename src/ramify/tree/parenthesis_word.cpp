@@ -1,8 +1,8 @@
 #include "ramify/tree/parenthesis_word.hpp"
 
-#include <fmt/format.h>
-
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "ramify/core/error.hpp"
 
@@ -14,7 +14,9 @@ namespace {
               "write E for an external node and (LR) for an internal one, such as ((EE)E)");
 }
 
-bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+bool is_space(char c) {
+  return c == ' ' || c == '\t' || c == '\n' || c == '\r';
+}
 
 }  // namespace
 

@@ -7,7 +7,8 @@
 
 namespace ramify {
 
-/// Grows a tree and keeps it: the same tree as Grower folds from the same stream. 4 bytes a node plus O(height).
+/// Grows a tree and keeps it: the same tree as Grower folds from the same stream. 4 bytes a node plus
+/// O(height).
 template <class G, class Urbg>
   requires Grammar<G, Urbg>
 Tree grow_tree(const G& grammar, typename G::Label root, Urbg& stream) {

@@ -15,7 +15,8 @@ bool Tree::is_well_formed(std::span<const std::uint32_t> arity) {
 }
 
 Size Tree::size() const {
-  return static_cast<Size>(std::count_if(arity_.begin(), arity_.end(), [](std::uint32_t k) { return k > 0; }));
+  return static_cast<Size>(
+      std::count_if(arity_.begin(), arity_.end(), [](std::uint32_t k) { return k > 0; }));
 }
 
 }  // namespace ramify

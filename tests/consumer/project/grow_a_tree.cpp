@@ -1,5 +1,5 @@
-// Grows one tree and prints its Horton-Strahler order and its streams: what docs/design.md calls the one idea, from
-// outside. The tree is measured twice, as it grows and as it is stored; the two must agree.
+// Grows one tree and prints its Horton-Strahler order and its streams: what docs/design.md calls the one
+// idea, from outside. The tree is measured twice, as it grows and as it is stored; the two must agree.
 #include <cstdlib>
 #include <iostream>
 
