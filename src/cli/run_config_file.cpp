@@ -1,9 +1,9 @@
-#include "session.hpp"
-// session.hpp first: CLI11 before fmt keeps both quiet.
+#include "run_config_file.hpp"
+
 #include <algorithm>
 #include <cmath>
 
-#include "run_config_file.hpp"
+#include "session.hpp"
 #include <fmt/format.h>
 
 #include "ramify/experiment/plan.hpp"

@@ -6,6 +6,8 @@
 #include "verdicts.hpp"
 #include <CLI/CLI.hpp>
 
+#include "ramify/core/cancellation.hpp"
+#include "ramify/core/error.hpp"
 #include "ramify/experiment/run.hpp"
 
 namespace ramify::cli {

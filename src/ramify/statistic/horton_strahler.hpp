@@ -61,7 +61,7 @@ class HortonStrahler {
     const Value left = below[0], right = below[1];
     const Value higher = left > right ? left : right, lower = left > right ? right : left;
     const auto order = static_cast<Value>(higher > lower ? higher : lower + 1);
-    ++counts_[2u * order + static_cast<unsigned>(order - higher)];
+    ++counts_[2 * std::size_t{order} + static_cast<std::size_t>(order - higher)];
     return order;
   }
 
@@ -77,7 +77,7 @@ class HortonStrahler {
     }
     const std::size_t origin = attained < 2 ? kept : born;
     const auto order = static_cast<Value>(highest + origin);
-    ++counts_[2u * order + origin];
+    ++counts_[2 * std::size_t{order} + origin];
     return order;
   }
 
