@@ -24,7 +24,7 @@ enum class Lane : std::uint64_t {
 /// (block, replicate, lane, 0) under the key (seed, cell).
 ///
 /// A UniformRandomBitGenerator. Any two of the 2^64 replicates, lanes and cells are independent streams of
-/// 2^66 words, at no cost of set-up. 2 ns a word (bench/random_bench.cpp holds it against PCG and xoshiro).
+/// 2^66 words, at no cost of set-up. 3 ns a word (bench/random_bench.cpp holds it against PCG and xoshiro).
 class Stream {
  public:
   using result_type = std::uint64_t;
