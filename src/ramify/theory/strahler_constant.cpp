@@ -1,6 +1,11 @@
 #include "ramify/theory/strahler_constant.hpp"
 
+#include <cmath>
+#include <limits>
+
+#include "ramify/theory/beta_split.hpp"
 #include "ramify/theory/binary_split.hpp"
+#include "ramify/theory/horton_ratio_constant.hpp"
 
 namespace ramify {
 namespace {
@@ -11,11 +16,21 @@ std::optional<Constant> constant(const Precise& value, const char* formula, cons
   return Constant{"strahler", rounded->value, rounded->error, formula, source};
 }
 
+/// 1/log R with the error that R leaves, to the farther side, and the rounding of the logarithm and the
+/// quotient.
+Constant from_ratio(const Constant& ratio) {
+  const double value = 1 / std::log(ratio.value);
+  const double farthest = 1 / std::log(ratio.value - ratio.error);
+  const double rounding = 2 * std::numeric_limits<double>::epsilon() * value;
+  return {"strahler", value, farthest - value + rounding, "1/log R, R the Horton ratio", ratio.source};
+}
+
 }  // namespace
 
-std::optional<Constant> strahler_constant(const Model& model) {
+std::optional<Constant> strahler_constant(const Model& model, const std::optional<Constant>& horton_ratio) {
   if (std::holds_alternative<Catalan>(model.law()))
     return constant(1 / log(Precise(4)), "1/log 4", "Flajolet, Raoult, Vuillemin 1979; C22");
+  if (BetaSplit::of(model)) return horton_ratio ? std::optional(from_ratio(*horton_ratio)) : std::nullopt;
   if (std::holds_alternative<Dst>(model.law())) return std::nullopt;
   const auto binary = BinarySplit::of(model);
   if (!binary) return std::nullopt;
@@ -23,6 +38,10 @@ std::optional<Constant> strahler_constant(const Model& model) {
   return constant(
       -1 / log(binary->smaller), "1/log(1/min(p,1-p))",
       fixed ? "Kruszewski 1996, fact 3.2; C10, C11" : "Devroye, Kruszewski 1996, theorem B.3; C17");
+}
+
+std::optional<Constant> strahler_constant(const Model& model) {
+  return strahler_constant(model, horton_ratio_constant(model));
 }
 
 }  // namespace ramify
