@@ -12,12 +12,14 @@
 
 #include "ramify/law/balance_law.hpp"
 #include "ramify/law/build_law.hpp"
-#include "ramify/law/depth_moments.hpp"
+#include "ramify/law/depth_law.hpp"
 #include "ramify/law/exact_means.hpp"
 #include "ramify/law/fill_level_law.hpp"
 #include "ramify/law/height_law.hpp"
 #include "ramify/law/law_limit.hpp"
 #include "ramify/law/order_means.hpp"
+#include "ramify/law/order_moments.hpp"
+#include "ramify/law/split_rows.hpp"
 #include "ramify/law/strahler_law.hpp"
 
 namespace {
@@ -93,14 +95,14 @@ struct Laws {
         balance(ramify::build_law(model, n, ramify::BalanceLaw(n))),
         fill_level(ramify::build_law(model, n, ramify::FillLevelLaw(n))),
         height(ramify::build_law(model, n, ramify::HeightLaw())),
-        depth(ramify::build_law(model, n, ramify::DepthMoments())),
+        depth(ramify::build_law(model, n, ramify::DepthLaw())),
         orders(ramify::build_law(model, n, ramify::OrderMeans(n))) {}
 
   ramify::StrahlerLaw strahler;
   ramify::BalanceLaw balance;
   ramify::FillLevelLaw fill_level;
   ramify::HeightLaw height;
-  ramify::DepthMoments depth;
+  ramify::DepthLaw depth;
   ramify::OrderMeans orders;
 };
 
@@ -219,7 +221,8 @@ TEST(StrahlerLaw, HasTheKnownProbabilities) {
   const auto law = ramify::build_law(Model::parse("bst"), 1000, ramify::StrahlerLaw(1000));
   const std::array<double, 3> at_579{0.103712, 0.888951, 0.007337};
   for (std::size_t i = 0; i < at_579.size(); ++i) EXPECT_NEAR(law.pmf(579)[5 + i], at_579[i], 5e-7);
-  EXPECT_NEAR(law.law(1000).from[8], 2.06e-7, 5e-10);  // a small tail keeps its relative accuracy
+  EXPECT_NEAR(law.all_sizes(ramify::LawForm::from, 8)[1000], 2.06e-7,
+              5e-10);  // a small tail keeps its relative accuracy
 }
 
 TEST(Laws, DoNotTellBetaWithOneMoreOnTheRightFromTheSymmetricBeta) {
@@ -292,6 +295,82 @@ TEST(ExactMeans, StopsAtTheLimitOfItsModel) {
   const Model model = Model::parse("beta(2,2)");
   EXPECT_EQ(ExactMeans(model, 1'000'000).largest_n(), ramify::law_limit(model));
   EXPECT_FALSE(ExactMeans(model, 1'000'000).moments("size", ramify::law_limit(model) + 1));
+}
+
+/// E[X_a X_b] - E X_a E X_b over all trees; counts are nodes 1..3, then streams 1..3.
+std::vector<std::vector<Real>> enumerated_covariances(Size n, const Pmf& pmf) {
+  constexpr std::size_t orders = 3, counts = 2 * orders;
+  std::vector<Real> mean(counts, 0);
+  std::vector<std::vector<Real>> product(counts, mean);
+  for (const test::Shape& shape : test::all_shapes(n)) {
+    const Real p = probability(shape, pmf);
+    auto nodes = test::nodes_per_order(shape), streams = test::streams_per_order(shape);
+    nodes.resize(orders + 1);
+    streams.resize(orders + 1);
+    std::vector<Real> x;
+    for (std::size_t k = 1; k <= orders; ++k) x.push_back(static_cast<Real>(nodes[k]));
+    for (std::size_t k = 1; k <= orders; ++k) x.push_back(static_cast<Real>(streams[k]));
+    for (std::size_t a = 0; a < counts; ++a) {
+      mean[a] += p * x[a];
+      for (std::size_t b = 0; b < counts; ++b) product[a][b] += p * x[a] * x[b];
+    }
+  }
+  for (std::size_t a = 0; a < counts; ++a)
+    for (std::size_t b = 0; b < counts; ++b) product[a][b] -= mean[a] * mean[b];
+  return product;
+}
+
+TEST(OrderMoments, AreThoseOfAllTrees) {
+  using ramify::OrderCount;
+  constexpr Size largest = 8;
+  const auto count = [](std::size_t a) {
+    return a < 3 ? OrderCount{OrderCount::Of::nodes, a + 1} : OrderCount{OrderCount::Of::streams, a - 2};
+  };
+  for (const char* text : {"bst", "catalan", "patricia(0.23)", "dst(0.4)", "beta(2,5)"}) {
+    const Model model = Model::parse(text);
+    const auto means = ramify::build_law(model, largest, ramify::OrderMeans(largest));
+    const auto law = ramify::build_law(model, largest, ramify::OrderMoments(means, largest));
+    for (Size n = 1; n <= largest; ++n) {
+      const auto truth = enumerated_covariances(n, pmf_of(model));
+      for (std::size_t a = 0; a < truth.size(); ++a)
+        for (std::size_t b = 0; b < truth.size(); ++b)
+          expect_near(law.covariance(n, count(a), count(b)), truth[a][b], 1e-12, text);
+    }
+  }
+}
+
+// Var M_1 = 2(n+1)/45 for n >= 4 (a classical result for cherries of Yule trees).
+TEST(OrderMoments, OfBstCherriesAreKnown) {
+  const Model bst = Model::parse("bst");
+  const auto means = ramify::build_law(bst, 300, ramify::OrderMeans(300));
+  const auto law = ramify::build_law(bst, 300, ramify::OrderMoments(means, 300));
+  const ramify::OrderCount cherries{ramify::OrderCount::Of::streams, 1};
+  for (const Size n : {4u, 10u, 100u, 300u}) {
+    EXPECT_NEAR(law.covariance(n, cherries, cherries), 2 * static_cast<double>(n + 1) / 45, 1e-11);
+    EXPECT_NEAR(law.mean(n, cherries), static_cast<double>(n + 1) / 3, 1e-11);
+  }
+}
+
+// The rows of a law are its pmf, folded: for beta that holds the quadrature against the incomplete betas.
+TEST(SplitRows, AreTheFoldedPmf) {
+  for (const char* text : {"bst", "catalan", "split(0.25)", "dst(0.23)", "patricia(0.77)", "patricia(1e-9)",
+                           "beta(2,2)", "beta(0.01,0.01)", "beta(10,80)", "beta(0.3,5)", "beta(1000,1000)"}) {
+    const Model model = Model::parse(text);
+    ramify::SplitRows rows(model);
+    for (const Size n : {1u, 2u, 3u, 17u, 100u, 1001u}) {
+      const auto row = rows.row(n);
+      auto pmf = n == 1 ? std::vector<double>{1} : pmf_of(model)(n);
+      for (Size i = (n + 1) / 2; i < n; ++i) pmf[n - 1 - i] += pmf[i];
+      Real sum = 0;
+      for (std::size_t m = 0; m < row.weights.size(); ++m) {
+        sum += row.weights[m];
+        const double truth = pmf[row.smaller(m)];
+        if (truth <= 1e-15) continue;
+        EXPECT_NEAR(row.weights[m] / truth, 1, 1e-10) << text << " n = " << n << " m = " << m;
+      }
+      EXPECT_NEAR(static_cast<double>(sum), 1, 1e-14) << text << " n = " << n;
+    }
+  }
 }
 
 }  // namespace

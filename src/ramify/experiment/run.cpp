@@ -67,6 +67,19 @@ void write_tables(const fs::path& folder, const std::vector<CheckedCell>& cells)
 }
 
 /// Puts the finished folder in the place of an older one.
+void write_plots(const fs::path& folder, const std::vector<std::pair<std::string, Plot>>& plots) {
+  for (const auto& [stem, plot] : plots) write_plot(plot, folder, stem);
+}
+
+/// "<folder>.incomplete", emptied unless a stopped run is to be resumed.
+fs::path open_work_folder(const RunOptions& options) {
+  fs::path work = options.folder.string() + ".incomplete";
+  if (!options.resume) fs::remove_all(work);
+  require_writable_folder(work / "cells");
+  require_writable_folder(work / "plots");
+  return work;
+}
+
 void move_into_place(const fs::path& work, const fs::path& folder) {
   fs::remove_all(folder);
   fs::rename(work, folder);
@@ -79,11 +92,7 @@ RunOutcome run_experiment(const RunConfig& config, const RunOptions& options,
   const Provenance process = current_provenance();
   const auto begin = std::chrono::steady_clock::now();
   const Plan plan = make_plan(config);
-  const fs::path work = options.folder.string() + ".incomplete";
-  if (!options.resume) fs::remove_all(work);
-  require_writable_folder(work / "cells");
-  require_writable_folder(work / "plots");
-
+  const fs::path work = open_work_folder(options);
   CellBook book(plan, work / "cells");
   if (options.resume) {
     book.take_over(CellStore(options.folder / "cells", plan));
@@ -103,9 +112,7 @@ RunOutcome run_experiment(const RunConfig& config, const RunOptions& options,
       grown ? check_against_exact_laws(plan, book.finished(), options.threads) : unchecked(book.finished()),
       grown, work};
   write_tables(work, outcome.cells);
-  if (grown)
-    for (const auto& [stem, plot] : run_plots(outcome.cells, plan.statistics))
-      write_plot(plot, work / "plots", stem);
+  if (grown) write_plots(work / "plots", run_plots(outcome.cells, plan.statistics));
   auto provenance = provenance_of(config, options, process);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   provenance["duration_seconds"] = seconds.count();

@@ -57,8 +57,8 @@ std::string orders_table(const std::vector<CheckedCell>& cells) {
     for (std::size_t k = 0; k < cell.result.orders.size(); ++k) {
       const auto& order = cell.result.orders[k];
       auto row = head(cell);
-      row.push_back("0");
-      row.push_back(std::to_string(k));
+      row.emplace_back("0");
+      row.emplace_back(std::to_string(k));
       for (const auto& estimate :
            {order.nodes, order.streams, order.nodes_pooled_ratio, order.streams_pooled_ratio})
         append(row, estimate);

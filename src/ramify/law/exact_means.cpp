@@ -16,7 +16,7 @@ std::optional<Size> order_of(std::string_view column, std::string_view prefix) {
   return parse_count(column.substr(prefix.size()));
 }
 
-Moments mean_only(std::span<const double> means, Size k) {
+Moments mean_only(const std::vector<double>& means, Size k) {
   const double none = std::numeric_limits<double>::quiet_NaN();
   return {k < means.size() ? means[k] : 0, none};
 }

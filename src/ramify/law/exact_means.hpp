@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "ramify/law/balance_law.hpp"
-#include "ramify/law/depth_moments.hpp"
+#include "ramify/law/depth_law.hpp"
 #include "ramify/law/fill_level_law.hpp"
 #include "ramify/law/height_law.hpp"
 #include "ramify/law/moments.hpp"
@@ -38,7 +38,7 @@ class ExactMeans {
   mutable StoredSplitRows rows_;
   mutable std::optional<StrahlerLaw> strahler_;
   mutable std::optional<HeightLaw> height_;
-  mutable std::optional<DepthMoments> depth_;
+  mutable std::optional<DepthLaw> depth_;
   mutable std::optional<FillLevelLaw> fill_level_;
   mutable std::optional<BalanceLaw> balance_;
   mutable std::optional<OrderMeans> orders_;

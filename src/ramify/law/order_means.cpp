@@ -1,36 +1,37 @@
 #include "ramify/law/order_means.hpp"
 
+#include "ramify/statistic/horton_strahler.hpp"
+
 namespace ramify {
 
-OrderMeans::OrderMeans(Size largest_n)
-    : strahler_(largest_n), stride_(HortonStrahler::largest_order(largest_n) + 1) {
-  for (auto* table : {&nodes_, &streams_}) {
-    table->reserve((largest_n + 1) * stride_);
-    table->resize(stride_, 0.0);
-    table->front() = 1;
+OrderMeans::OrderMeans(Size largest_n) : strahler_(largest_n) {
+  const std::size_t orders = HortonStrahler::largest_order(largest_n) + 1;
+  for (auto* counts : {&nodes_, &streams_}) {
+    counts->resize(orders);
+    for (std::size_t k = 0; k < orders; ++k) {
+      (*counts)[k].reserve(largest_n + 1);
+      (*counts)[k].append(k == 0 ? 1 : 0);
+    }
   }
 }
 
 void OrderMeans::extend(const SplitRow& row) {
-  std::vector<double> nodes(stride_, 0.0), streams(stride_, 0.0);
-  for (std::size_t m = 0; m < row.weights.size(); ++m) {
-    const double weight = row.weights[m];
-    const std::size_t a = row.smaller(m) * stride_, b = row.larger(m) * stride_;
-    const double* at_a = strahler_.law(row.smaller(m)).at;
-    const double* at_b = strahler_.law(row.larger(m)).at;
-    for (std::size_t k = 0; k < stride_; ++k) {
-      const auto below = static_cast<std::ptrdiff_t>(k) - 1;
-      nodes[k] += weight * (nodes_[a + k] + nodes_[b + k]);
-      streams[k] += weight * (streams_[a + k] + streams_[b + k] + at_a[below] * at_b[below]);
-    }
-  }
   strahler_.extend(row);
-  const auto root = strahler_.pmf(row.n);
-  for (std::size_t k = 0; k < stride_; ++k) nodes[k] += root[k];
   // Exact; summed over n levels it would drift by an ulp each.
-  nodes[0] = streams[0] = static_cast<double>(row.n + 1);
-  nodes_.insert(nodes_.end(), nodes.begin(), nodes.end());
-  streams_.insert(streams_.end(), streams.begin(), streams.end());
+  nodes_[0].append(static_cast<double>(row.n + 1));
+  streams_[0].append(static_cast<double>(row.n + 1));
+  for (std::size_t k = 1; k < nodes_.size(); ++k) {
+    const auto order = static_cast<std::ptrdiff_t>(k);
+    const SizeSeries& below = strahler_.all_sizes(LawForm::at, order - 1);
+    nodes_[k].append(over_children(row, nodes_[k]) + strahler_.at(row.n, order));
+    streams_[k].append(over_children(row, streams_[k]) + over_children(row, below, below));
+  }
+}
+
+std::vector<double> OrderMeans::at_size(const std::vector<SizeSeries>& counts, Size n) {
+  std::vector<double> means;
+  for (const SizeSeries& count : counts) means.push_back(count[n]);
+  return means;
 }
 
 }  // namespace ramify

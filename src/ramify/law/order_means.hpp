@@ -1,6 +1,5 @@
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "ramify/law/strahler_law.hpp"
@@ -22,17 +21,18 @@ class OrderMeans {
   void extend(const SplitRow& row);
 
   /// E N_k, k = 0..K, K = floor(log2(largest_n + 1)).
-  std::span<const double> nodes(Size n) const { return {nodes_.data() + n * stride_, stride_}; }
+  std::vector<double> nodes(Size n) const { return at_size(nodes_, n); }
 
   /// E M_k, k = 0..K.
-  std::span<const double> streams(Size n) const { return {streams_.data() + n * stride_, stride_}; }
+  std::vector<double> streams(Size n) const { return at_size(streams_, n); }
 
   const StrahlerLaw& strahler() const { return strahler_; }
 
  private:
+  static std::vector<double> at_size(const std::vector<SizeSeries>& counts, Size n);
+
   StrahlerLaw strahler_;
-  std::size_t stride_;
-  std::vector<double> nodes_, streams_;
+  std::vector<SizeSeries> nodes_, streams_;
 };
 
 }  // namespace ramify

@@ -4,29 +4,83 @@
 #include <numeric>
 
 #include "ramify/core/contract.hpp"
+#include "ramify/model/binomial_weights.hpp"
 
 namespace ramify {
 namespace {
 
 constexpr double negligible = 1e-18;
+constexpr double far_below = 1e-40;  // of the mode of a binomial law: P(K = 0) may be nearly all of it
 
 }  // namespace
 
+SplitRows::SplitRows(const Model& model) : law_(model.law()) {
+  if (const auto* beta = std::get_if<Beta>(&law_)) beta_.emplace(*beta);
+}
+
 SplitRow SplitRows::row(Size n) {
   RAMIFY_EXPECTS(n >= 1);
-  weights_.assign(1, 1.0);
-  if (n == 1) return {1, 0, weights_};
-  weights_ = std::visit([n](const auto& law) { return law.pmf(n); }, law_);
-  const std::size_t half = (n + 1) / 2;
-  for (std::size_t i = half; i < n; ++i) weights_[n - 1 - i] += weights_[i];
+  if (n == 1) {
+    take({0, {1.0}});
+  } else {
+    std::visit([this, n](const auto& law) { fill(law, n); }, law_);
+  }
+  fold(n);
   const auto kept = [](double w) { return w >= negligible; };
-  const auto begin =
-      std::find_if(weights_.begin(), weights_.begin() + static_cast<std::ptrdiff_t>(half), kept);
-  auto end = weights_.begin() + static_cast<std::ptrdiff_t>(half);
+  const auto begin = std::find_if(weights_.begin(), weights_.end(), kept);
+  auto end = weights_.end();
   while (end > begin && !kept(end[-1])) --end;
-  const double sum = std::accumulate(begin, end, 0.0);
+  const auto sum = static_cast<double>(std::accumulate(begin, end, 0.0L));
   std::for_each(begin, end, [sum](double& w) { w /= sum; });
-  return {n, static_cast<Size>(begin - weights_.begin()), {begin, end}};
+  return {n, smallest_ + static_cast<Size>(begin - weights_.begin()), {begin, end}};
+}
+
+void SplitRows::take(WeightWindow window) {
+  first_ = window.first;
+  left_ = std::move(window.weights);
+}
+
+void SplitRows::fill(const Bst&, Size n) {
+  take({0, std::vector<double>(n, 1 / static_cast<double>(n))});
+}
+
+void SplitRows::fill(const Beta&, Size n) {
+  first_ = 0;
+  beta_->fill(n, left_);
+}
+
+void SplitRows::fill(const FixedSplit& law, Size n) {
+  take({law.left(n), {1.0}});
+}
+
+void SplitRows::fill(const Dst& law, Size n) {
+  take(binomial_window(n - 1, law.p(), far_below));
+}
+
+void SplitRows::fill(const Patricia& law, Size n) {
+  take(law.window(n, far_below));
+}
+
+void SplitRows::fill(const Catalan&, Size n) {
+  for (Size i = catalan_.size(); i < n; ++i)
+    catalan_.push_back(Catalan::central_binomial(i) / static_cast<double>(i + 1));
+  first_ = 0;
+  left_.resize(n);
+  for (Size i = 0; i < n; ++i) left_[i] = catalan_[i] * catalan_[n - 1 - i];
+}
+
+/// Puts i and n-1-i together.
+void SplitRows::fold(Size n) {
+  const Size last = first_ + left_.size() - 1;
+  smallest_ = std::min(first_, n - 1 - last);
+  const Size largest = std::max(std::min(first_, n - 1 - first_), std::min(last, n - 1 - last));
+  const Size middle = (n - 1) / 2;
+  const bool crosses = first_ <= middle && last >= n - 1 - middle;
+  weights_.assign((crosses ? middle : largest) - smallest_ + 1, 0.0);
+  for (Size m = 0; m < left_.size(); ++m) {
+    const Size i = first_ + m;
+    weights_[std::min(i, n - 1 - i) - smallest_] += left_[m];
+  }
 }
 
 SplitRow StoredSplitRows::row(Size n) {

@@ -1,22 +1,13 @@
 #pragma once
 
-#include <span>
+#include <optional>
 #include <vector>
 
+#include "ramify/law/beta_rows.hpp"
+#include "ramify/law/split_row.hpp"
 #include "ramify/model/registry.hpp"
 
 namespace ramify {
-
-/// How the n-1 other nodes of a tree of size n divide, up to reflection: no statistic here tells left from
-/// right.
-struct SplitRow {
-  Size n = 0;
-  Size first = 0;                   ///< the smallest size of the smaller child that has a weight
-  std::span<const double> weights;  ///< P(smaller child = first + m); they sum to 1
-
-  Size smaller(std::size_t m) const { return first + m; }
-  Size larger(std::size_t m) const { return n - 1 - smaller(m); }
-};
 
 /// The split rows of a model, one size after another: memory O(n).
 ///
@@ -25,18 +16,32 @@ struct SplitRow {
 /// probabilities far below that are not resolved.
 class SplitRows {
  public:
-  explicit SplitRows(const Model& model) : law_(model.law()) {}
+  explicit SplitRows(const Model& model);
 
-  /// The row of size n >= 1; valid until the next call. O(n), for beta two incomplete betas an entry.
+  /// The row of size n >= 1; valid until the next call. O(n); O(sqrt n) for dst, patricia and split.
   SplitRow row(Size n);
 
  private:
+  void fill(const Bst&, Size n);
+  void fill(const Beta&, Size n);
+  void fill(const FixedSplit& law, Size n);
+  void fill(const Dst& law, Size n);
+  void fill(const Patricia& law, Size n);
+  void fill(const Catalan&, Size n);
+  void take(WeightWindow window);
+  void fold(Size n);
+
   AnySplitLaw law_;
-  std::vector<double> weights_;
+  std::optional<BetaRows> beta_;
+  std::vector<double> catalan_;  ///< C_i / 4^i
+  Size first_ = 0;
+  std::vector<double> left_;     ///< P(left = first_ + m)
+  std::vector<double> weights_;  ///< P(smaller child = smallest_ + m)
+  Size smallest_ = 0;
 };
 
 /// The split rows of a model, kept: several laws of one model read them without computing them again.
-/// Memory O(n^2), 2 bytes times n^2 at most: 32 MB at n = 4096.
+/// Memory O(n^2), 4 bytes times n^2 at most: 67 MB at n = 4096.
 class StoredSplitRows {
  public:
   explicit StoredSplitRows(const Model& model) : rows_(model) {}

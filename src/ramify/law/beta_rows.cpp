@@ -1,0 +1,92 @@
+#include "ramify/law/beta_rows.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <boost/math/quadrature/gauss.hpp>
+#include <boost/math/special_functions/beta.hpp>
+#include <boost/math/special_functions/gamma.hpp>
+
+namespace ramify {
+namespace {
+
+constexpr std::size_t points = 8;
+constexpr double steepest = 4;    // largest change of the log density over a cell for the quadrature
+constexpr Size end_cells = 8;     // at either end
+constexpr double hopeless = -60;  // log of a density that no cell near it can make up for
+
+using Gauss = boost::math::quadrature::gauss<double, points>;
+
+struct Node {
+  double t, weight;
+};
+
+/// Nodes on (0,1), ascending.
+std::array<Node, points> unit_nodes() {
+  std::array<Node, points> nodes;
+  for (std::size_t q = 0; q < points / 2; ++q) {
+    const double x = Gauss::abscissa()[q], w = Gauss::weights()[q] / 2;
+    nodes[points / 2 + q] = {(1 + x) / 2, w};
+    nodes[points / 2 - 1 - q] = {(1 - x) / 2, w};
+  }
+  return nodes;
+}
+
+/// P(i/n < X < (i+1)/n) from the side where the incomplete beta is small.
+double cell_probability(const Beta& law, Size i, Size n) {
+  const double size = static_cast<double>(n);
+  const double low = static_cast<double>(i) / size, high = static_cast<double>(i + 1) / size;
+  const double below = boost::math::ibeta(law.a(), law.b(), high);
+  if (below < 0.5) return below - boost::math::ibeta(law.a(), law.b(), low);
+  return boost::math::ibetac(law.a(), law.b(), low) - boost::math::ibetac(law.a(), law.b(), high);
+}
+
+}  // namespace
+
+BetaRows::BetaRows(const Beta& law)
+    : law_(law), log_beta_(std::lgamma(law.a()) + std::lgamma(law.b()) - std::lgamma(law.a() + law.b())) {}
+
+void BetaRows::extend_tables(Size n) {
+  static const auto nodes = unit_nodes();
+  for (Size i = left_.size(); i < n; ++i) {
+    const double middle = static_cast<double>(i) + 0.5;
+    auto& left = left_.emplace_back();
+    auto& right = right_.emplace_back();
+    for (std::size_t q = 0; q < points; ++q) {
+      const double off = (nodes[q].t - 0.5) / middle;
+      left[q] = nodes[q].weight * std::exp((law_.a() - 1) * std::log1p(off));
+      right[q] = std::exp((law_.b() - 1) * std::log1p(-off));
+    }
+    log_left_.push_back((law_.a() - 1) * std::log(middle));
+    log_right_.push_back((law_.b() - 1) * std::log(middle));
+  }
+}
+
+/// How much the log density changes over the cell of i: its slope or its curvature, whichever is more.
+double BetaRows::change(Size i, Size n) const {
+  const double x = static_cast<double>(i) + 0.5, y = static_cast<double>(n - 1 - i) + 0.5;
+  const double left = (law_.a() - 1) / x, right = (law_.b() - 1) / y;
+  return std::max(std::abs(left - right), std::abs(left / x + right / y));
+}
+
+void BetaRows::fill(Size n, std::vector<double>& weights) {
+  extend_tables(n);
+  weights.assign(n, 0.0);
+  const double scale = -log_beta_ - (law_.a() + law_.b() - 1) * std::log(static_cast<double>(n));
+  for (Size i = 0; i < n; ++i) {
+    const Size j = n - 1 - i;
+    const double log_middle = log_left_[i] + log_right_[j] + scale;
+    const double change = this->change(i, n);
+    const bool at_end = i < end_cells || j < end_cells;
+    if (!at_end && log_middle + change < hopeless) continue;
+    if (at_end || change > steepest) {
+      weights[i] = cell_probability(law_, i, n);
+      continue;
+    }
+    double sum = 0;
+    for (std::size_t q = 0; q < points; ++q) sum += left_[i][q] * right_[j][q];
+    weights[i] = std::exp(log_middle) * sum;
+  }
+}
+
+}  // namespace ramify

@@ -1,0 +1,53 @@
+#include "ramify/law/depth_law.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "ramify/core/contract.hpp"
+
+namespace ramify {
+namespace {
+
+constexpr double negligible = 1e-20;
+
+}  // namespace
+
+void DepthLaw::extend(const SplitRow& row) {
+  RAMIFY_EXPECTS(row.n == sizes());
+  Size first = row.n + 1, end = 0;
+  const auto each_child = [&row](auto visit) {
+    for (std::size_t m = 0; m < row.weights.size(); ++m)
+      for (const Size child : {row.smaller(m), row.larger(m)}) {
+        const double share = row.n == 1 ? 0.5 : static_cast<double>(child) / static_cast<double>(row.n - 1);
+        if (share > 0) visit(child, row.weights[m] * share);
+      }
+  };
+  each_child([&](Size child, double) {
+    first = std::min(first, laws_[child].first + 1);
+    end = std::max(end, laws_[child].first + laws_[child].probabilities.size() + 1);
+  });
+  std::vector<double> sums(end - first, 0.0);
+  each_child([&](Size child, double weight) {
+    const Law& law = laws_[child];
+    double* out = sums.data() + (law.first + 1 - first);
+    for (std::size_t d = 0; d < law.probabilities.size(); ++d) out[d] += weight * law.probabilities[d];
+  });
+  const auto kept = [](double p) { return p >= negligible; };
+  const auto low = std::find_if(sums.begin(), sums.end(), kept);
+  const auto high = std::find_if(sums.rbegin(), sums.rend(), kept).base();
+  const double sum = std::accumulate(low, high, 0.0);
+  Law& law = laws_.emplace_back(Law{first + static_cast<Size>(low - sums.begin()), {low, high}});
+  for (double& p : law.probabilities) p /= sum;
+}
+
+Moments DepthLaw::moments(Size n) const {
+  const Law& law = laws_[n];
+  double mean = 0, variance = 0;
+  for (std::size_t d = 0; d < law.probabilities.size(); ++d)
+    mean += static_cast<double>(d) * law.probabilities[d];
+  for (std::size_t d = 0; d < law.probabilities.size(); ++d)
+    variance += (static_cast<double>(d) - mean) * (static_cast<double>(d) - mean) * law.probabilities[d];
+  return {static_cast<double>(law.first) + mean, variance};
+}
+
+}  // namespace ramify

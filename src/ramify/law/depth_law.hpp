@@ -1,0 +1,41 @@
+#pragma once
+
+#include <vector>
+
+#include "ramify/law/moments.hpp"
+#include "ramify/law/split_row.hpp"
+
+namespace ramify {
+
+/// The exact law of the depth D_n of the last node for every size 0..n: the size-biased walk. D_0 = 0, D_1 =
+/// 1, and from size n >= 2 one more than that of a child of size i, taken with probability i/(n-1) (B23).
+///
+/// Sums of positive terms, scaled to sum 1; probabilities below 1e-20 at either end are not stored. Memory
+/// O(n w), time O(n^2 w), w the number of depths stored for one size: about 40 for bst at n = 1000.
+class DepthLaw {
+ public:
+  /// Only size 0 is known at first.
+  DepthLaw() : laws_{{0, {1.0}}} {}
+
+  Size sizes() const { return laws_.size(); }
+
+  /// Adds the size row.n == sizes().
+  void extend(const SplitRow& row);
+
+  /// P(D_n = d), d = lowest(n) + 0, 1, ...
+  const std::vector<double>& pmf(Size n) const { return laws_[n].probabilities; }
+
+  /// The smallest depth that pmf(n) holds.
+  Size lowest(Size n) const { return laws_[n].first; }
+
+  Moments moments(Size n) const;
+
+ private:
+  struct Law {
+    Size first;
+    std::vector<double> probabilities;
+  };
+  std::vector<Law> laws_;
+};
+
+}  // namespace ramify
