@@ -4,25 +4,23 @@
 #include <cmath>
 
 #include <boost/math/quadrature/gauss.hpp>
-#include <boost/math/special_functions/beta.hpp>
 #include <boost/math/special_functions/gamma.hpp>
 
 namespace ramify {
 namespace {
 
-constexpr std::size_t points = 8;
 constexpr double steepest = 4;    // largest change of the log density over a cell for the quadrature
 constexpr Size end_cells = 8;     // at either end
 constexpr double hopeless = -60;  // log of a density that no cell near it can make up for
-
-using Gauss = boost::math::quadrature::gauss<double, points>;
 
 struct Node {
   double t, weight;
 };
 
-/// Nodes on (0,1), ascending.
+/// Gauss and Legendre's nodes on (0,1), ascending.
+template <std::size_t points>
 std::array<Node, points> unit_nodes() {
+  using Gauss = boost::math::quadrature::gauss<double, points>;
   std::array<Node, points> nodes;
   for (std::size_t q = 0; q < points / 2; ++q) {
     const double x = Gauss::abscissa()[q], w = Gauss::weights()[q] / 2;
@@ -32,22 +30,15 @@ std::array<Node, points> unit_nodes() {
   return nodes;
 }
 
-/// P(i/n < X < (i+1)/n) from the side where the incomplete beta is small.
-double cell_probability(const Beta& law, Size i, Size n) {
-  const double size = static_cast<double>(n);
-  const double low = static_cast<double>(i) / size, high = static_cast<double>(i + 1) / size;
-  const double below = boost::math::ibeta(law.a(), law.b(), high);
-  if (below < 0.5) return below - boost::math::ibeta(law.a(), law.b(), low);
-  return boost::math::ibetac(law.a(), law.b(), low) - boost::math::ibetac(law.a(), law.b(), high);
-}
-
 }  // namespace
 
 BetaRows::BetaRows(const Beta& law)
-    : law_(law), log_beta_(std::lgamma(law.a()) + std::lgamma(law.b()) - std::lgamma(law.a() + law.b())) {}
+    : law_(law),
+      log_beta_(boost::math::lgamma(law.a()) + boost::math::lgamma(law.b()) -
+                boost::math::lgamma(law.a() + law.b())) {}  // not std::lgamma: it writes to a global
 
 void BetaRows::extend_tables(Size n) {
-  static const auto nodes = unit_nodes();
+  static const auto nodes = unit_nodes<points>();
   for (Size i = left_.size(); i < n; ++i) {
     const double middle = static_cast<double>(i) + 0.5;
     auto& left = left_.emplace_back();
@@ -80,7 +71,7 @@ void BetaRows::fill(Size n, std::vector<double>& weights) {
     const bool at_end = i < end_cells || j < end_cells;
     if (!at_end && log_middle + change < hopeless) continue;
     if (at_end || change > steepest) {
-      weights[i] = cell_probability(law_, i, n);
+      weights[i] = law_.cell_probability(i, n);
       continue;
     }
     double sum = 0;

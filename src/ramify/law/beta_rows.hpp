@@ -13,7 +13,7 @@ namespace ramify {
 /// (0,1): Gauss and Legendre's 8 points, whose powers of i+t and j+1-t are tabulated once for all n. So an
 /// entry costs one exponential and 8 products instead of two incomplete betas. Cells near the ends, where the
 /// powers are singular, and cells over which the density changes by more than e^4 are taken from the
-/// incomplete beta. Relative error below 1e-11 where the weight is above 1e-18 (tests/exact).
+/// incomplete beta. Relative error below 1e-10 where the weight is above 1e-15 (tests/exact).
 class BetaRows {
  public:
   explicit BetaRows(const Beta& law);

@@ -75,14 +75,4 @@ double BoundedLaw::at(Size n, std::ptrdiff_t k) const {
   return k < 0 || k > top_ ? 0 : series(LawForm::at, k)[n];
 }
 
-Moments BoundedLaw::moments(Size n) const {
-  double mean = 0, variance = 0;
-  for (std::ptrdiff_t k = 0; k <= top_; ++k) mean += static_cast<double>(k) * at(n, k);
-  for (std::ptrdiff_t k = 0; k <= top_; ++k) {
-    const double deviation = static_cast<double>(k) - mean;
-    variance += deviation * deviation * at(n, k);
-  }
-  return {mean, variance};
-}
-
 }  // namespace ramify

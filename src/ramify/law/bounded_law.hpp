@@ -54,13 +54,16 @@ class BoundedLaw {
   /// P(V = k), k = 0..K, K = floor(log2(largest_n + 1)), of a tree of size n < sizes().
   std::vector<double> pmf(Size n) const;
 
+  /// The value of pmf(n)'s first entry.
+  static Size lowest(Size) { return 0; }
+
   /// P(V = k) of size n < sizes(); 0 outside 0..K.
   double at(Size n, std::ptrdiff_t k) const;
 
-  /// P(V = k) or a sum of them for all sizes 0..sizes()-1, k = -1..K+1.
+  /// One form of the value k = -1..K+1, of every size 0..sizes()-1.
   const SizeSeries& all_sizes(LawForm form, std::ptrdiff_t k) const { return series(form, k); }
 
-  Moments moments(Size n) const;
+  Moments moments(Size n) const { return moments_of(pmf(n), 0); }
 
  private:
   const SizeSeries& series(LawForm form, std::ptrdiff_t k) const {

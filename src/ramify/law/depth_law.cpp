@@ -1,9 +1,9 @@
 #include "ramify/law/depth_law.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "ramify/core/contract.hpp"
+#include "ramify/law/trim.hpp"
 
 namespace ramify {
 namespace {
@@ -32,22 +32,8 @@ void DepthLaw::extend(const SplitRow& row) {
     double* out = sums.data() + (law.first + 1 - first);
     for (std::size_t d = 0; d < law.probabilities.size(); ++d) out[d] += weight * law.probabilities[d];
   });
-  const auto kept = [](double p) { return p >= negligible; };
-  const auto low = std::find_if(sums.begin(), sums.end(), kept);
-  const auto high = std::find_if(sums.rbegin(), sums.rend(), kept).base();
-  const double sum = std::accumulate(low, high, 0.0);
-  Law& law = laws_.emplace_back(Law{first + static_cast<Size>(low - sums.begin()), {low, high}});
-  for (double& p : law.probabilities) p /= sum;
-}
-
-Moments DepthLaw::moments(Size n) const {
-  const Law& law = laws_[n];
-  double mean = 0, variance = 0;
-  for (std::size_t d = 0; d < law.probabilities.size(); ++d)
-    mean += static_cast<double>(d) * law.probabilities[d];
-  for (std::size_t d = 0; d < law.probabilities.size(); ++d)
-    variance += (static_cast<double>(d) - mean) * (static_cast<double>(d) - mean) * law.probabilities[d];
-  return {static_cast<double>(law.first) + mean, variance};
+  const auto kept = trim_to_law(sums, negligible);
+  laws_.push_back({first + static_cast<Size>(kept.data() - sums.data()), {kept.begin(), kept.end()}});
 }
 
 }  // namespace ramify

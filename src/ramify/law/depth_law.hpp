@@ -28,7 +28,7 @@ class DepthLaw {
   /// The smallest depth that pmf(n) holds.
   Size lowest(Size n) const { return laws_[n].first; }
 
-  Moments moments(Size n) const;
+  Moments moments(Size n) const { return moments_of(pmf(n), static_cast<double>(lowest(n))); }
 
  private:
   struct Law {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 namespace ramify {
 
 /// Mean and variance of a statistic; the variance is NaN where only the mean is known.
@@ -7,5 +9,8 @@ struct Moments {
   double mean;
   double variance;
 };
+
+/// Of the law P(V = first + i) = pmf[i], which sums to 1. The variance is taken about the mean. O(length).
+Moments moments_of(std::span<const double> pmf, double first);
 
 }  // namespace ramify

@@ -40,7 +40,7 @@ const SizeSeries& OrderMoments::below(std::size_t order) const {
 void OrderMoments::append(Count& count, const std::vector<double>& by_order) {
   count.by_order[0].append(0);
   double below = 0;
-  for (std::size_t s = 0; s <= top_; ++s) {
+  for (std::size_t s = 0; s < by_order.size(); ++s) {
     count.by_order[s + 1].append(by_order[s]);
     count.below[s].append(below);
     below += by_order[s];

@@ -58,7 +58,7 @@ class OrderMoments {
   Joined joined(const SplitRow& row, const Count& count, std::size_t order) const;
   double added(std::size_t a, std::size_t order, Size n) const;
   double root_product(std::size_t a, std::size_t b, const std::vector<std::vector<Joined>>& joined) const;
-  void append(Count& count, const std::vector<double>& by_order);
+  static void append(Count& count, const std::vector<double>& by_order);
   const SizeSeries& at(std::size_t order) const;
   const SizeSeries& below(std::size_t order) const;
 

@@ -14,7 +14,6 @@ class SizeSeries {
   void append(double value);
 
   double operator[](Size n) const { return values_[n]; }
-  const std::vector<double>& values() const { return values_; }
 
  private:
   friend double over_children(const SplitRow&, const SizeSeries&, const SizeSeries&);

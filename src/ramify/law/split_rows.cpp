@@ -1,9 +1,9 @@
 #include "ramify/law/split_rows.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "ramify/core/contract.hpp"
+#include "ramify/law/trim.hpp"
 #include "ramify/model/binomial_weights.hpp"
 
 namespace ramify {
@@ -26,13 +26,8 @@ SplitRow SplitRows::row(Size n) {
     std::visit([this, n](const auto& law) { fill(law, n); }, law_);
   }
   fold(n);
-  const auto kept = [](double w) { return w >= negligible; };
-  const auto begin = std::find_if(weights_.begin(), weights_.end(), kept);
-  auto end = weights_.end();
-  while (end > begin && !kept(end[-1])) --end;
-  const auto sum = static_cast<double>(std::accumulate(begin, end, 0.0L));
-  std::for_each(begin, end, [sum](double& w) { w /= sum; });
-  return {n, smallest_ + static_cast<Size>(begin - weights_.begin()), {begin, end}};
+  const auto kept = trim_to_law(weights_, negligible);
+  return {n, smallest_ + static_cast<Size>(kept.data() - weights_.data()), kept};
 }
 
 void SplitRows::take(WeightWindow window) {

@@ -41,7 +41,7 @@ class SplitRows {
 };
 
 /// The split rows of a model, kept: several laws of one model read them without computing them again.
-/// Memory O(n^2), 4 bytes times n^2 at most: 67 MB at n = 4096.
+/// Memory O(n^2), 2 bytes times n^2 at most: 34 MB at n = 4096.
 class StoredSplitRows {
  public:
   explicit StoredSplitRows(const Model& model) : rows_(model) {}

@@ -35,11 +35,22 @@ class Beta {
     return n - std::clamp(right_and_root, Size{1}, n);
   }
 
-  /// P(left = i) = I_((i+1)/n)(a,b) - I_(i/n)(a,b), each difference taken on the side where the incomplete
-  /// beta is small.
+  /// P(left = i) of every i: cell_probability.
   std::vector<double> pmf(Size n) const;
 
+  /// P(left = i) = I_((i+1)/n)(a,b) - I_(i/n)(a,b), the difference taken on the side where the incomplete
+  /// beta is small.
+  double cell_probability(Size i, Size n) const;
+
  private:
+  /// P(X < x) and P(X > x): the smaller of them to full relative precision.
+  struct Tails {
+    double below, above;
+  };
+
+  Tails tails(Size i, Size n) const;  ///< at x = i/n
+  static double between(const Tails& low, const Tails& high);
+
   double a_;
   double b_;
 };
