@@ -6,7 +6,7 @@
 #include <benchmark/benchmark.h>
 
 #include "ramify/model/registry.hpp"
-#include "ramify/statistic/tree_sampler.hpp"
+#include "ramify/sample/tree_sampler.hpp"
 
 namespace ramify::bench {
 namespace {
@@ -15,8 +15,8 @@ namespace {
 void full_pass(benchmark::State& state, const Model& model) {
   const auto n = static_cast<Size>(state.range(0));
   const Cancellation cancellation;
-  const auto lean = make_tree_sampler(model, false, cancellation);
-  const auto full = make_tree_sampler(model, true, cancellation);
+  const auto lean = make_tree_sampler({model, grow_lean, max_size, &cancellation});
+  const auto full = make_tree_sampler({model, grow_full, max_size, &cancellation});
   const StreamKey key{1996, model.stream_cell(n)};
   double lean_time = 0, full_time = 0;
   std::uint64_t replicate = 0;

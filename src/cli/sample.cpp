@@ -10,6 +10,7 @@
 #include "ramify/core/number.hpp"
 #include "ramify/experiment/tree_batch.hpp"
 #include "ramify/io/csv_writer.hpp"
+#include "ramify/sample/sampling_method.hpp"
 
 namespace ramify::cli {
 namespace {
@@ -40,17 +41,20 @@ ExitCode sample(const Options& options, const Cancellation& cancellation) {
   const Size n = read_count("--n", options.n);
   model.require_size(n);
   const Range range = read_range(options);
-  const TreeBatch batch{model, n, read_count("--seed", options.seed), read_threads(options.threads)};
-  require_consent(static_cast<double>(n) * static_cast<double>(range.last - range.first), options.yes);
-  if (options.format == "csv")
-    emit(batch.table(StatisticSet::parse(split_list(options.statistics)), range.first, range.last,
-                     cancellation),
-         options.output);
-  else if (options.format == "parens")
+  const TreeBatch batch{model, n, read_count("--seed", options.seed), read_threads(options.threads),
+                        !options.no_graft};
+  const double trees = static_cast<double>(range.last - range.first);
+  if (options.format == "csv") {
+    const auto statistics = StatisticSet::parse(split_list(options.statistics));
+    require_consent(trees * grown_nodes(model, sampling_method(statistics, batch.graft), n), options.yes);
+    emit(batch.table(statistics, range.first, range.last, cancellation), options.output);
+  } else if (options.format == "parens") {
+    require_consent(trees * static_cast<double>(n), options.yes);
     emit(batch.words(range.first, range.last, cancellation), options.output);
-  else
+  } else {
     throw Error(fmt::format("--format {}", options.format), "not a format that sample writes",
                 "take csv (statistics) or parens (the trees, as E and (LR))");
+  }
   return ExitCode::done;
 }
 
@@ -73,7 +77,7 @@ void add_sample(CLI::App& app, Session& session) {
   verb->add_option("--threads", options->threads,
                    "threads; all cores if left out. The result does not depend on it");
   verb->add_flag("--no-graft", options->no_graft,
-                 "grow every node (nothing is grafted yet, so this changes nothing)");
+                 "grow every node, instead of drawing subtrees from their exact laws where that pays");
   verb->add_flag("--yes", options->yes, "allow more than 10^13 nodes");
   verb->add_option("-o,--output", options->output, "write to this file, in one step");
   verb->footer(

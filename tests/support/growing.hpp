@@ -48,8 +48,8 @@ void grow_and_measure(const Law& law, Size n, std::uint64_t replicates, std::uin
   Grower<SplitTree<Law>, Everything, Stream> grower(never);
   for (std::uint64_t replicate = 0; replicate < replicates; ++replicate) {
     Stream stream(key, replicate);
-    Everything fold(LastNodeDepth(Stream(key, replicate, Lane::walk)), Height(), HortonStrahler(),
-                    FillLevel(), Balance());
+    const RandomWalk walk(Stream(key, replicate, Lane::walk));
+    Everything fold{LastNodeDepth(walk), Height(), HortonStrahler(), FillLevel(), Balance()};
     const auto root = grower(grammar, n, stream, fold);
     TreeMeasures measures;
     measures.size = n;

@@ -178,7 +178,7 @@ TEST(LastNodeDepth, FollowsItsLawOnStoredTrees) {
     const auto law = test::last_node_depth_law(test::read_shape(word));
     std::vector<std::uint64_t> counts(16, 0);
     for (int i = 0; i < 40000; ++i) {
-      LastNodeDepth fold(Stream({test::seed_of("walks"), 0}, replicate++, Lane::walk));
+      LastNodeDepth fold{RandomWalk(Stream({test::seed_of("walks"), 0}, replicate++, Lane::walk))};
       ++counts.at(measure(tree, fold));
     }
     std::vector<double> probabilities(16, 0.0), edges(16, 0.0);
@@ -189,7 +189,7 @@ TEST(LastNodeDepth, FollowsItsLawOnStoredTrees) {
 }
 
 TEST(LastNodeDepth, IsZeroWithoutANodeAndOneAtASingleOne) {
-  LastNodeDepth fold(Stream({0, 0}, 0, Lane::walk));
+  LastNodeDepth fold{RandomWalk(Stream({0, 0}, 0, Lane::walk))};
   EXPECT_EQ(measure(from_parentheses("E"), fold), 0u);
   EXPECT_EQ(measure(from_parentheses("(EE)"), fold), 1u);
   EXPECT_EQ(measure(from_parentheses("(E(EE))"), fold), 2u);

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "ramify/core/error.hpp"
+#include "ramify/sample/tree_sampler.hpp"
 #include "ramify/statistic/registry.hpp"
-#include "ramify/statistic/tree_sampler.hpp"
 
 namespace ramify {
 namespace {
@@ -39,13 +39,6 @@ TEST(StatisticSet, NamesItsColumnsBySizeAlone) {
   EXPECT_FALSE(set.contains("nodes"));
 }
 
-TEST(StatisticSet, AsksForTheFullPassOnlyWhereItMust) {
-  EXPECT_FALSE(
-      StatisticSet::parse(Names{"size", "strahler", "height", "nodes", "streams"}).needs_full_pass());
-  for (const char* name : {"depth", "fill_level", "balance"})
-    EXPECT_TRUE(StatisticSet::parse(Names{name}).needs_full_pass());
-}
-
 TEST(Statistics, HaveEachADifferentName) {
   std::set<std::string_view> names;
   for (const auto& info : statistics()) {
@@ -61,7 +54,7 @@ TEST(Statistics, HaveEachADifferentName) {
 // split(0.25), n = 15 is a fixed tree (A6): N = 16,11,4, streams 16,5,1, height 8.
 TEST(WriteStatistics, WritesEveryColumnInOrder) {
   const Cancellation never;
-  const auto sampler = make_tree_sampler(Model::parse("split(0.25)"), true, never);
+  const auto sampler = make_tree_sampler({Model::parse("split(0.25)"), grow_full, max_size, &never});
   TreeMeasures measures;
   sampler->sample(15, {0, 0}, 0, measures);
   const auto set = StatisticSet::parse(
@@ -78,7 +71,7 @@ TEST(WriteStatistics, WritesEveryColumnInOrder) {
 
 TEST(WriteStatistics, GivesNoRatioToASingleExternalNode) {
   const Cancellation never;
-  const auto sampler = make_tree_sampler(Model::parse("bst"), true, never);
+  const auto sampler = make_tree_sampler({Model::parse("bst"), grow_full, max_size, &never});
   TreeMeasures measures;
   sampler->sample(0, {0, 0}, 0, measures);
   EXPECT_EQ(measures.size, 0u);

@@ -87,8 +87,9 @@ CellResult to_cell(const json& j) {
 
 std::filesystem::path CellStore::file_of(std::size_t index) const {
   const Cell& cell = plan_->cells[index];
-  std::string key = fmt::format("{} {} {} {}({}) {} {}", version, table_schema, plan_->seed,
-                                cell.model.name(), cell.model.stream_cell(cell.n), cell.n, cell.replicates);
+  std::string key = fmt::format("{} {} {} {}({}) {} {} {}", version, table_schema, plan_->seed,
+                                cell.model.name(), cell.model.stream_cell(cell.n), cell.n, cell.replicates,
+                                describe(cell.model, plan_->method, cell.n));
   for (const auto* info : plan_->statistics.chosen()) key += fmt::format(" {}", info->name);
   return folder_ / fmt::format("{:016x}.json", hash_text(key));
 }

@@ -19,7 +19,7 @@ double open_levels(const Cell& cell) {
 }  // namespace
 
 Plan make_plan(const RunConfig& config) {
-  Plan plan{config.seed, config.statistics, {}};
+  Plan plan{config.seed, config.statistics, sampling_method(config.statistics, config.graft), {}};
   for (const auto& group : config.groups)
     for (const auto& model : group.models)
       for (const Size n : group.sizes) plan.cells.push_back({model, n, group.replicates.count(n)});
@@ -27,17 +27,20 @@ Plan make_plan(const RunConfig& config) {
 }
 
 WorkEstimate estimate_work(const Plan& plan, unsigned threads) {
-  constexpr double nanoseconds_a_node = 25, open_node_bytes = 28, table_bytes = 140e3, value_bytes = 64;
+  constexpr double nanoseconds_a_node = 25, nanoseconds_grafted = 60, open_node_bytes = 28,
+                   table_bytes = 140e3, value_bytes = 64;
   WorkEstimate work{0, 0, 20};
   for (const auto& cell : plan.cells) {
     const double trees = static_cast<double>(cell.replicates);
-    work.nodes += static_cast<double>(cell.n) * trees;
+    const double nodes = trees * grown_nodes(cell.model, plan.method, cell.n);
+    const bool grafted = graft_size(cell.model, plan.method, cell.n) > 0;
+    work.nodes += nodes;
+    work.minutes += nodes * (grafted ? nanoseconds_grafted : nanoseconds_a_node) / 1e9 / 60 / threads;
     const double columns = static_cast<double>(plan.statistics.columns(cell.n).size());
     const double bytes =
         open_levels(cell) * open_node_bytes * threads + table_bytes + trees * columns * value_bytes;
     work.megabytes = std::max(work.megabytes, 20 + bytes / 1e6);
   }
-  work.minutes = work.nodes * nanoseconds_a_node / 1e9 / 60 / threads;
   return work;
 }
 

@@ -5,6 +5,7 @@
 
 #include "ramify/io/run_config.hpp"
 #include "ramify/model/registry.hpp"
+#include "ramify/sample/sampling_method.hpp"
 #include "ramify/statistic/registry.hpp"
 
 namespace ramify {
@@ -16,10 +17,12 @@ struct Cell {
   std::uint64_t replicates;
 };
 
-/// What a run does: cells in the order of the config, the statistics measured in all of them, the seed.
+/// What a run does: cells in the order of the config, the statistics measured in all of them and how their
+/// trees are sampled, the seed.
 struct Plan {
   std::uint64_t seed;
   StatisticSet statistics;
+  SamplingMethod method;
   std::vector<Cell> cells;
 };
 
@@ -27,8 +30,8 @@ Plan make_plan(const RunConfig& config);
 
 /// What a plan costs before it is started.
 struct WorkEstimate {
-  double nodes;      ///< internal nodes to grow
-  double minutes;    ///< at about 25 ns a node and thread: a guess to plan by, not a promise
+  double nodes;      ///< internal nodes that are grown, those of grafted subtrees left out
+  double minutes;    ///< at 25 ns a node and thread, 60 where subtrees are grafted: a guess, not a promise
   double megabytes;  ///< peak memory, as far as it depends on the plan
 };
 

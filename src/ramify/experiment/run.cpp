@@ -60,13 +60,21 @@ nlohmann::ordered_json provenance_of(const RunConfig& config, const RunOptions& 
           {"started", process.started}};
 }
 
+/// How the trees of each cell are sampled.
+nlohmann::ordered_json sampled(const Plan& plan) {
+  auto cells = nlohmann::ordered_json::array();
+  for (const auto& cell : plan.cells)
+    cells.push_back(
+        {{"model", cell.model.text()}, {"n", cell.n}, {"method", describe(cell.model, plan.method, cell.n)}});
+  return cells;
+}
+
 void write_tables(const fs::path& folder, const std::vector<CheckedCell>& cells) {
   write_file_atomically(folder / "summary.csv", summary_table(cells));
   write_file_atomically(folder / "histograms.csv", histograms_table(cells));
   write_file_atomically(folder / "orders.csv", orders_table(cells));
 }
 
-/// Puts the finished folder in the place of an older one.
 void write_plots(const fs::path& folder, const std::vector<std::pair<std::string, Plot>>& plots) {
   for (const auto& [stem, plot] : plots) write_plot(plot, folder, stem);
 }
@@ -80,6 +88,7 @@ fs::path open_work_folder(const RunOptions& options) {
   return work;
 }
 
+/// Puts the finished folder in the place of an older one.
 void move_into_place(const fs::path& work, const fs::path& folder) {
   fs::remove_all(folder);
   fs::rename(work, folder);
@@ -116,7 +125,7 @@ RunOutcome run_experiment(const RunConfig& config, const RunOptions& options,
   auto provenance = provenance_of(config, options, process);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   provenance["duration_seconds"] = seconds.count();
-  provenance["grafted"] = "nothing";
+  provenance["sampled"] = sampled(plan);
   provenance["cells"] = fmt::format("{} of {}", outcome.cells.size(), plan.cells.size());
   provenance["status"] = outcome.finished ? "complete" : "interrupted: only the cells listed are complete";
   write_file_atomically(work / "provenance.json", provenance.dump(2) + "\n");

@@ -9,14 +9,14 @@
 #include "ramify/core/error.hpp"
 #include "ramify/core/parallel.hpp"
 #include "ramify/experiment/cell_accumulator.hpp"
-#include "ramify/statistic/tree_sampler.hpp"
+#include "ramify/sample/tree_sampler.hpp"
 
 namespace ramify {
 namespace {
 
-/// Trees in a block: about a million nodes, so that the last blocks of a run do not leave threads idle.
-std::uint64_t block_trees(Size n) {
-  return std::clamp<std::uint64_t>((Size{1} << 20) / std::max<Size>(n, 1), 1, 1024);
+/// Trees in a block: about a million grown nodes, so that the last blocks of a run do not leave threads idle.
+std::uint64_t block_trees(double grown_nodes) {
+  return static_cast<std::uint64_t>(std::clamp(0x1p20 / std::max(grown_nodes, 1.0), 1.0, 1024.0));
 }
 
 struct Block {
@@ -43,8 +43,8 @@ class Run {
     for (std::size_t c = 0; c < plan.cells.size(); ++c) {
       if (!wanted[c]) continue;
       add_blocks(c);
-      add_prototype(plan.cells[c].model);
     }
+    add_prototypes(wanted);
   }
 
   /// False where it was cancelled: blocks under way are lost, and with them their cells.
@@ -65,7 +65,7 @@ class Run {
 
   void add_blocks(std::size_t c) {
     const Cell& cell = plan_.cells[c];
-    const std::uint64_t size = block_trees(cell.n);
+    const std::uint64_t size = block_trees(grown_nodes(cell.model, plan_.method, cell.n));
     std::size_t index = 0;
     for (std::uint64_t first = 0; first < cell.replicates; first += size)
       blocks_.push_back({c, first, std::min(first + size, cell.replicates), index++});
@@ -73,9 +73,16 @@ class Run {
     open_[c].missing = index;
   }
 
-  void add_prototype(const Model& model) {
-    auto& prototype = prototypes_[model.text()];
-    if (!prototype) prototype = make_tree_sampler(model, plan_.statistics.needs_full_pass(), cancellation_);
+  void add_prototypes(const std::vector<bool>& wanted) {
+    std::map<std::string, SamplerOrder> orders;
+    for (std::size_t c = 0; c < plan_.cells.size(); ++c) {
+      if (!wanted[c]) continue;
+      const Cell& cell = plan_.cells[c];
+      const SamplerOrder order{cell.model, plan_.method, cell.n, &cancellation_};
+      auto& largest = orders.try_emplace(cell.model.text(), order).first->second.largest_n;
+      largest = std::max(largest, cell.n);
+    }
+    for (const auto& [text, order] : orders) prototypes_[text] = make_tree_sampler(order);
   }
 
   CellAccumulator grow(const Block& block, Samplers& samplers) const {
@@ -96,7 +103,8 @@ class Run {
   void finish(const Block& block, CellAccumulator sums) {
     const Cell& cell = plan_.cells[block.cell];
     const std::lock_guard lock(mutex_);
-    nodes_done_ += static_cast<double>(block.last - block.first) * static_cast<double>(cell.n);
+    nodes_done_ +=
+        static_cast<double>(block.last - block.first) * grown_nodes(cell.model, plan_.method, cell.n);
     OpenCell& open = open_[block.cell];
     open.blocks[block.index] = std::move(sums);
     if (observer_.progress) observer_.progress(nodes_done_);

@@ -9,7 +9,7 @@
 #include "ramify/io/csv_writer.hpp"
 #include "ramify/model/split_tree.hpp"
 #include "ramify/random/stream.hpp"
-#include "ramify/statistic/tree_sampler.hpp"
+#include "ramify/sample/tree_sampler.hpp"
 #include "ramify/tree/parenthesis_word.hpp"
 #include "ramify/tree/store.hpp"
 
@@ -35,7 +35,7 @@ std::vector<std::string> format_row(const TreeBatch& batch, std::uint64_t replic
 std::string TreeBatch::table(const StatisticSet& statistics, std::uint64_t first, std::uint64_t last,
                              const Cancellation& cancellation) const {
   const StreamKey key{seed, model.stream_cell(n)};
-  const auto prototype = make_tree_sampler(model, statistics.needs_full_pass(), cancellation);
+  const auto prototype = make_tree_sampler({model, sampling_method(statistics, graft), n, &cancellation});
   struct Worker {
     std::unique_ptr<TreeSampler> sampler;
     TreeMeasures measures;

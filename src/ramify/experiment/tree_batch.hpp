@@ -10,19 +10,20 @@ namespace ramify {
 
 /// Trees of one model, size and seed, replicate by replicate: what `ramify sample` prints.
 ///
-/// Rows come in the order of the replicates and depend on (model, n, seed, replicate) alone, whatever the
-/// threads. Throws Interrupted when cancelled.
+/// Rows come in the order of the replicates and depend on (model, n, seed, replicate, graft) and on which
+/// statistics are asked for alone, whatever the threads. Throws Interrupted when cancelled.
 struct TreeBatch {
   Model model;
   Size n;
   std::uint64_t seed;
   unsigned threads;
+  bool graft;  ///< of tables; words are always grown whole
 
   /// CSV: model,n,seed,replicate, then the chosen statistics of replicates first..last-1.
   std::string table(const StatisticSet& statistics, std::uint64_t first, std::uint64_t last,
                     const Cancellation& cancellation) const;
 
-  /// The trees themselves, one parenthesis word a line.
+  /// The trees themselves, one parenthesis word a line: those of the table without grafts.
   std::string words(std::uint64_t first, std::uint64_t last, const Cancellation& cancellation) const;
 };
 

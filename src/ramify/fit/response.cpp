@@ -11,7 +11,7 @@
 #include "ramify/core/number.hpp"
 #include "ramify/core/parallel.hpp"
 #include "ramify/model/registry.hpp"
-#include "ramify/statistic/tree_sampler.hpp"
+#include "ramify/sample/tree_sampler.hpp"
 
 namespace ramify {
 namespace {
@@ -80,7 +80,7 @@ std::vector<ResponsePoint> ResponseSurface::sample(std::span<const ResponseReque
   std::vector<std::vector<RatioValues>> values(requests.size());
   parallel_for(requests.size(), threads_, [&](std::size_t i, unsigned) {
     const Model model = Model::parse(fmt::format("{}({})", model_, format_exact(requests[i].p)));
-    samplers[i] = make_tree_sampler(model, false, *cancellation_);
+    samplers[i] = make_tree_sampler({model, {Pass::lean, true}, n_, cancellation_});
     keys[i] = {seed_, model.stream_cell(n_)};
     values[i].resize(requests[i].trees);
   });

@@ -22,6 +22,9 @@ class SplitTree {
  public:
   using Label = Size;
 
+  // 128 sizes are 132 kB: they stay in a second-level cache (bench/table_bench.cpp).
+  static constexpr Size default_table_size = 128;
+
   explicit SplitTree(Law law, Size table_size = default_table_size) : law_(std::move(law)) {
     if constexpr (Law::uses_table) {
       table_size_ = table_size;
@@ -40,9 +43,6 @@ class SplitTree {
   }
 
  private:
-  // 128 sizes are 132 kB: they stay in a second-level cache (bench/table_bench.cpp).
-  static constexpr Size default_table_size = 128;
-
   template <class Urbg>
   Size left_size(Size n, Urbg& stream) const {
     if (n == 1) return 0;

@@ -26,7 +26,10 @@ template <class Urbg>
 std::uint64_t draw_alias(std::span<const AliasCell> cells, Urbg& stream) {
   const WideProduct product = multiply_wide(stream(), cells.size());
   const AliasCell& cell = cells[product.high];
-  return product.low < cell.threshold ? product.high : cell.other;
+  // Which of the two is a coin toss that no branch predictor guesses: take it without a branch.
+  const std::uint64_t keep = 0 - static_cast<std::uint64_t>(product.low < cell.threshold);
+  const std::uint64_t other = cell.other;
+  return other ^ ((product.high ^ other) & keep);
 }
 
 }  // namespace ramify

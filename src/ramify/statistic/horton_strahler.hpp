@@ -3,10 +3,10 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <span>
-#include <string>
-#include <vector>
 
+#include "ramify/core/contract.hpp"
+#include "ramify/statistic/small_counts.hpp"
+#include "ramify/statistic/strahler.hpp"
 #include "ramify/tree/grammar.hpp"
 
 namespace ramify {
@@ -24,6 +24,20 @@ class HortonStrahler {
   static constexpr std::size_t orders = 64;
   using Counts = std::array<std::uint64_t, orders>;
 
+  /// The nodes of orders 1..4 by what they do: keep the order of a child, or begin a stream.
+  struct Tally {
+    SmallCounts keep, begin;
+
+    Tally& operator+=(const Tally& other) {
+      keep += other.keep;
+      begin += other.begin;
+      return *this;
+    }
+    friend auto operator<=>(const Tally&, const Tally&) = default;
+  };
+  /// A tree of order 5 has 31 internal nodes.
+  static constexpr Size largest_tallied = 30;
+
   Value external() {
     ++externals_;
     return 0;
@@ -31,14 +45,33 @@ class HortonStrahler {
 
   template <class Label, class Labels, class Values>
   Value join(const Label&, const Labels&, const Values& orders_below) {
-    return join_orders(orders_below);
+    const JoinedOrder node = join_orders(orders_below);
+    ++counts_[2 * std::size_t{node.order} + node.begins];
+    return node.order;
+  }
+
+  Tally take_tally() {
+    Tally tally;
+    for (std::size_t k = 1; k <= SmallCounts::largest_order; ++k) {
+      tally.keep.increment(k, counts_[2 * k]);
+      tally.begin.increment(k, counts_[2 * k + 1]);
+    }
+    counts_.fill(0);
+    return tally;
+  }
+
+  void add_tally(Size n, const Tally& tally) {
+    RAMIFY_EXPECTS(n <= largest_tallied);
+    externals_ += n + 1;
+    grafted_ += tally;
+    if (++grafts_ == grafts_that_fit) unpack();
   }
 
   /// Nodes of order k.
   Counts nodes() const {
     Counts nodes{};
     nodes[0] = externals_;
-    for (std::size_t k = 0; k < orders; ++k) nodes[k] += counts_[2 * k + kept] + counts_[2 * k + born];
+    for (std::size_t k = 1; k < orders; ++k) nodes[k] = count<kept>(k) + count<begun>(k);
     return nodes;
   }
 
@@ -46,7 +79,7 @@ class HortonStrahler {
   Counts streams() const {
     Counts streams{};
     streams[0] = externals_;
-    for (std::size_t k = 0; k < orders; ++k) streams[k] += counts_[2 * k + born];
+    for (std::size_t k = 1; k < orders; ++k) streams[k] = count<begun>(k);
     return streams;
   }
 
@@ -55,34 +88,28 @@ class HortonStrahler {
 
  private:
   // A node keeps the order of a child, or it begins a stream of an order of its own: one counter for either.
-  static constexpr std::size_t kept = 0, born = 1;
+  static constexpr std::size_t kept = 0, begun = 1;
+  static constexpr std::uint32_t grafts_that_fit = SmallCounts::largest_count / largest_tallied;
 
-  Value join_orders(const Pair<Value>& below) {
-    const Value left = below[0], right = below[1];
-    const Value higher = left > right ? left : right, lower = left > right ? right : left;
-    const auto order = static_cast<Value>(higher > lower ? higher : lower + 1);
-    ++counts_[2 * std::size_t{order} + static_cast<std::size_t>(order - higher)];
-    return order;
+  template <std::size_t which>
+  std::uint64_t count(std::size_t k) const {
+    const SmallCounts& grafted = which == begun ? grafted_.begin : grafted_.keep;
+    return counts_[2 * k + which] + (k <= SmallCounts::largest_order ? grafted[k] : 0);
   }
 
-  Value join_orders(std::span<const Value> below) {
-    Value highest = 0;
-    std::size_t attained = 0;
-    for (const Value order : below) {
-      if (order > highest) {
-        highest = order;
-        attained = 0;
-      }
-      attained += order == highest ? 1 : 0;
+  void unpack() {
+    for (std::size_t k = 1; k <= SmallCounts::largest_order; ++k) {
+      counts_[2 * k + kept] = count<kept>(k);
+      counts_[2 * k + begun] = count<begun>(k);
     }
-    const std::size_t origin = attained < 2 ? kept : born;
-    const auto order = static_cast<Value>(highest + origin);
-    ++counts_[2 * std::size_t{order} + origin];
-    return order;
+    grafted_ = Tally();
+    grafts_ = 0;
   }
 
-  std::array<std::uint64_t, 2 * orders> counts_{};  // of order k and origin o at 2k + o
+  std::array<std::uint64_t, 2 * orders> counts_{};  // of order k: kept at 2k, begun at 2k + 1
   std::uint64_t externals_ = 0;
+  Tally grafted_;             // not yet in counts_
+  std::uint32_t grafts_ = 0;  // that it holds
 };
 
 }  // namespace ramify

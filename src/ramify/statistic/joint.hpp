@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <compare>
 #include <cstddef>
 #include <span>
 #include <tuple>
@@ -8,6 +10,7 @@
 #include <vector>
 
 #include "ramify/tree/grammar.hpp"
+#include "ramify/tree/tally.hpp"
 
 namespace ramify {
 
@@ -16,10 +19,12 @@ template <class First, class... Rest>
 struct ValuePack {
   First first;
   ValuePack<Rest...> rest;
+  friend auto operator<=>(const ValuePack&, const ValuePack&) = default;
 };
 template <class First>
 struct ValuePack<First> {
   First first;
+  friend auto operator<=>(const ValuePack&, const ValuePack&) = default;
 };
 
 template <std::size_t I, class... Values>
@@ -30,6 +35,20 @@ auto get(const ValuePack<Values...>& pack) {
     return get<I - 1>(pack.rest);
   }
 }
+
+/// The tallies of several folds; NoTally for those that have none.
+template <class... Tallies>
+struct TallyPack {
+  std::tuple<Tallies...> parts;
+
+  TallyPack& operator+=(const TallyPack& other) {
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+      ((std::get<I>(parts) += std::get<I>(other.parts)), ...);
+    }(std::index_sequence_for<Tallies...>{});
+    return *this;
+  }
+  friend auto operator<=>(const TallyPack&, const TallyPack&) = default;
+};
 
 /// Several folds in one pass over one tree: values, joins and tallies side by side. List folds with larger
 /// values first: the pack of values is then the smallest.
@@ -48,6 +67,19 @@ class Joint {
   template <class Label, class Labels, class Values>
   Value join(const Label& label, const Labels& labels, const Values& values) {
     return join_each(label, labels, values, std::index_sequence_for<Folds...>{});
+  }
+
+  using Tally = TallyPack<TallyOf<Folds>...>;
+  static constexpr Size largest_tallied = std::min({ramify::largest_tallied<Folds>()...});
+
+  Tally take_tally() {
+    return std::apply([](auto&... fold) { return Tally{std::tuple(ramify::take_tally(fold)...)}; }, folds_);
+  }
+
+  void add_tally(Size n, const Tally& tally) {
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+      (ramify::add_tally(std::get<I>(folds_), n, std::get<I>(tally.parts)), ...);
+    }(std::index_sequence_for<Folds...>{});
   }
 
   template <class F>

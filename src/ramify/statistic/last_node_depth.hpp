@@ -9,17 +9,37 @@
 
 namespace ramify {
 
+/// Makes a walk's choices at random.
+class RandomWalk {
+ public:
+  explicit RandomWalk(Stream stream) : stream_(stream) {}
+
+  /// i with probability weights[i] / total.
+  template <class Weights>
+  std::size_t choose(const Weights& weights, Size total) {
+    Size target = uniform_below(stream_, total);
+    std::size_t i = 0;
+    while (target >= weights[i]) target -= weights[i++];
+    return i;
+  }
+
+ private:
+  Stream stream_;
+};
+
 /// Depth D_n of the last node (B23, Theorem 2.1): from size n >= 2 go to a child of size i with probability
 /// i / (n-1), end at size 1; nodes on the way, the root counted. theory.md counts edges: one less.
 ///
 /// Needs labels that are sizes. Folded from below: at every fork with two internal children the walk that
 /// would arrive there chooses; only the choices along one path matter, and they are independent. Size 0 has
-/// depth 0.
-class LastNodeDepth {
+/// depth 0. @tparam Walk  RandomWalk, or, where laws are computed, one that tries every choice
+/// (outcome_law.hpp)
+template <class Walk>
+class LastNodeDepthOf {
  public:
   using Value = std::uint32_t;
 
-  explicit LastNodeDepth(Stream walk) : walk_(walk) {}
+  explicit LastNodeDepthOf(Walk walk) : walk_(walk) {}
 
   Value external() const { return 0; }
 
@@ -41,13 +61,12 @@ class LastNodeDepth {
       ++internal;
     }
     if (internal < 2) return last_internal;
-    Size target = uniform_below(walk_, total);
-    std::size_t child = 0;
-    while (target >= sizes[child]) target -= sizes[child++];
-    return child;
+    return walk_.choose(sizes, total);
   }
 
-  Stream walk_;
+  Walk walk_;
 };
+
+using LastNodeDepth = LastNodeDepthOf<RandomWalk>;
 
 }  // namespace ramify

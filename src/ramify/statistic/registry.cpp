@@ -45,19 +45,19 @@ StatisticValue count(const TreeMeasures& m, std::size_t order) {
 }
 
 StatisticInfo whole_number(std::string_view name, std::string_view convention, std::string_view description,
-                           std::string_view source, bool full_pass,
+                           std::string_view source, Measure measure,
                            StatisticValue (*value)(const TreeMeasures&, std::size_t)) {
-  return {name, convention, description, source, false, false, full_pass, value};
+  return {name, convention, description, source, false, false, measure, value};
 }
 
 StatisticInfo order_counts(std::string_view name, std::string_view description, std::string_view source,
                            StatisticValue (*value)(const TreeMeasures&, std::size_t)) {
-  return {name, leaf_order_0, description, source, false, true, false, value};
+  return {name, leaf_order_0, description, source, false, true, Measure::counts, value};
 }
 
 StatisticInfo order_ratio(std::string_view name, std::string_view convention, std::string_view description,
                           StatisticValue (*value)(const TreeMeasures&, std::size_t)) {
-  return {name, convention, description, "B11", true, false, false, value};
+  return {name, convention, description, "B11", true, false, Measure::counts, value};
 }
 
 }  // namespace
@@ -66,18 +66,18 @@ const std::vector<StatisticInfo>& statistics() {
   using M = TreeMeasures;
   using R = OrderRatios;
   static const std::vector<StatisticInfo> all{
-      whole_number("size", "internal nodes", "n, counted on the tree", "B1", false, number<&M::size>),
-      whole_number("strahler", leaf_order_0, "Horton-Strahler number: order of the root", "B6", false,
-                   number<&M::strahler>),
+      whole_number("size", "internal nodes", "n, counted on the tree", "B1", Measure::size, number<&M::size>),
+      whole_number("strahler", leaf_order_0, "Horton-Strahler number: order of the root", "B6",
+                   Measure::strahler, number<&M::strahler>),
       whole_number("height", "nodes on the path, root and external node counted", "longest root-to-leaf path",
-                   "B4", false, number<&M::height>),
+                   "B4", Measure::height, number<&M::height>),
       whole_number("depth", "nodes on the path, root counted; 0 for n = 0",
                    "D_n of the last node: from size n >= 2 to a child of size i with probability i/(n-1)",
-                   "B23", true, number<&M::depth>),
+                   "B23", Measure::depth, number<&M::depth>),
       whole_number("fill_level", "root at level 0, external nodes counted",
-                   "deepest level with all its nodes", "B18", true, number<&M::fill_level>),
+                   "deepest level with all its nodes", "B18", Measure::fill_level, number<&M::fill_level>),
       whole_number("balance", "0 for an external node", "most edges to a smaller-or-equal child on a path",
-                   "B16", true, number<&M::balance>),
+                   "B16", Measure::balance, number<&M::balance>),
       order_counts("nodes", "nodes of order k", "B9", count<&M::nodes>),
       order_counts("streams", "streams of order k: maximal chains", "B8", count<&M::streams>),
       order_ratio("nodes_mean_ratio", "nodes, within one tree", "mean of N_k/N_(k+1): the thesis's R",
@@ -125,8 +125,15 @@ bool StatisticSet::contains(std::string_view name) const {
   return std::any_of(chosen_.begin(), chosen_.end(), [&](const auto* info) { return info->name == name; });
 }
 
-bool StatisticSet::needs_full_pass() const {
-  return std::any_of(chosen_.begin(), chosen_.end(), [](const auto* info) { return info->needs_full_pass; });
+bool StatisticSet::reads(Measure measure) const {
+  return std::any_of(chosen_.begin(), chosen_.end(),
+                     [measure](const auto* info) { return info->measure == measure; });
+}
+
+bool StatisticSet::reads_only(Measure measure) const {
+  return std::all_of(chosen_.begin(), chosen_.end(), [measure](const auto* info) {
+    return info->measure == measure || info->measure == Measure::size;
+  });
 }
 
 std::vector<std::string> StatisticSet::columns(Size n) const {

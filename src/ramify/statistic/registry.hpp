@@ -17,15 +17,18 @@ union StatisticValue {
   double real;
 };
 
+/// What must be known of a tree for a statistic to be read off.
+enum class Measure { size, strahler, height, counts, depth, fill_level, balance };
+
 /// What `ramify list statistics` says of a statistic, and how it is read off a measured tree.
 struct StatisticInfo {
   std::string_view name;
   std::string_view convention;  ///< base, what is counted
   std::string_view description;
   std::string_view source;
-  bool real;             ///< a real number; else a whole number, summed exactly
-  bool per_order;        ///< one column for each order 0..K
-  bool needs_full_pass;  ///< outside the lean pass (order, height, counts)
+  bool real;        ///< a real number; else a whole number, summed exactly
+  bool per_order;   ///< one column for each order 0..K
+  Measure measure;  ///< what it is read off
   StatisticValue (*value)(const TreeMeasures&, std::size_t order);
 
   /// "strahler", or "nodes_0..nodes_K".
@@ -43,7 +46,9 @@ class StatisticSet {
 
   const std::vector<const StatisticInfo*>& chosen() const { return chosen_; }
   bool contains(std::string_view name) const;
-  bool needs_full_pass() const;
+  /// Nothing but sizes and this is read.
+  bool reads_only(Measure measure) const;
+  bool reads(Measure measure) const;
 
   /// Column names for trees of size n: one a statistic, and nodes_0..nodes_K, streams_0..streams_K with K =
   /// floor(log2(n+1)), the largest order a tree of that size can have, so that a table's columns never depend

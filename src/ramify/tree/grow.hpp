@@ -6,6 +6,7 @@
 #include "ramify/core/cancellation.hpp"
 #include "ramify/core/error.hpp"
 #include "ramify/tree/fold.hpp"
+#include "ramify/tree/graft.hpp"
 #include "ramify/tree/grammar.hpp"
 #include "ramify/tree/segmented_stack.hpp"
 
@@ -63,10 +64,12 @@ class OpenNode<Size, Value> {
   Value left_value_;
 };
 
-/// Grows a tree depth-first, left before right, and folds it on the way: the tree is never stored.
+/// Grows a tree depth-first, left before right, and folds it on the way: the tree is never stored. What the
+/// graft policy covers is not grown either: its value is drawn (graft.hpp).
 ///
-/// Draws from the stream in preorder, so the tree is the one grow_tree stores (store.hpp). Memory: one
-/// OpenNode for every level, on an explicit stack that is kept between trees; use one Grower for each thread.
+/// Draws from the stream in preorder, so without grafts the tree is the one grow_tree stores (store.hpp).
+/// Memory: one OpenNode for every level, on an explicit stack that is kept between trees; use one Grower for
+/// each thread.
 template <class G, class F, class Urbg>
   requires Grammar<G, Urbg> && Fold<F, typename G::Label>
 class Grower {
@@ -77,20 +80,22 @@ class Grower {
   /// @param cancellation  looked at every 2^20 leaves; must outlive the Grower
   explicit Grower(const Cancellation& cancellation) : cancellation_(&cancellation) {}
 
-  /// The fold's value at the root; O(nodes) time. Throws Interrupted when cancelled.
-  Value operator()(const G& grammar, Label label, Urbg& stream, F& fold) {
+  /// The fold's value at the root; O(nodes grown) time. Throws Interrupted when cancelled.
+  template <class Graft = NoGraft>
+  Value operator()(const G& grammar, Label label, Urbg& stream, F& fold, const Graft& graft = {}) {
+    const Growth<Graft> growth{grammar, stream, fold, graft};
     open_.clear();
-    if (grammar.is_external(label)) return fold.external();
+    if (growth.is_done(label)) return growth.value(label);
     for (;;) {
-      Value value = descend(grammar, label, stream, fold);
+      Value value = descend(growth, label);
       for (;;) {
         while (!open_.empty() && open_.top().left_done()) value = close(label, value, fold);
         if (open_.empty()) return value;
         const Label right = open_.top().sibling();
         open_.top().finish_left(label, value);
         label = right;
-        if (!grammar.is_external(right)) break;
-        value = close(label, fold.external(), fold);  // an external right child closes its parent at once
+        if (!growth.is_done(right)) break;
+        value = close(label, growth.value(right), fold);  // such a right child closes its parent at once
       }
       look_for_cancellation();
     }
@@ -100,21 +105,35 @@ class Grower {
   std::size_t stack_bytes() const { return open_.capacity_bytes(); }
 
  private:
-  /// From an internal node down to the left until a subtree is done: opens every node on the way, leaves the
-  /// finished subtree in label.
-  Value descend(const G& grammar, Label& label, Urbg& stream, F& fold) {
+  /// What one tree is grown from.
+  template <class Graft>
+  struct Growth {
+    const G& grammar;
+    Urbg& stream;
+    F& fold;
+    const Graft& graft;
+
+    /// No node below this label is grown.
+    bool is_done(const Label& label) const { return grammar.is_external(label) || graft.covers(label); }
+    Value value(const Label& label) const {
+      return grammar.is_external(label) ? fold.external() : graft.draw(label, stream, fold);
+    }
+  };
+
+  /// From a node that is grown down to the left until a subtree is done: opens every node on the way, leaves
+  /// the finished subtree in label.
+  template <class Graft>
+  Value descend(const Growth<Graft>& growth, Label& label) {
     for (;;) {
-      const Pair<Label> children = grammar.children(label, stream);
-      const bool left_external = grammar.is_external(children[0]);
-      if (!left_external) {
+      const Pair<Label> children = growth.grammar.children(label, growth.stream);
+      if (!growth.is_done(children[0])) {
         open_.push({label, children[1]});
         label = children[0];
         continue;
       }
-      // An external left child is done at once; with an external right one, so is the node.
-      const Value left = fold.external();
-      if (grammar.is_external(children[1]))
-        return fold.join(label, children, Pair<Value>{left, fold.external()});
+      const Value left = growth.value(children[0]);
+      if (growth.is_done(children[1]))
+        return growth.fold.join(label, children, Pair<Value>{left, growth.value(children[1])});
       open_.push({label, children[1]});
       open_.top().finish_left(children[0], left);
       label = children[1];

@@ -8,8 +8,8 @@
 #include "ramify/model/registry.hpp"
 #include "ramify/model/split_tree.hpp"
 #include "ramify/random/stream.hpp"
+#include "ramify/sample/tree_sampler.hpp"
 #include "ramify/statistic/horton_strahler.hpp"
-#include "ramify/statistic/tree_sampler.hpp"
 #include "ramify/tree/measure.hpp"
 #include "ramify/tree/store.hpp"
 
@@ -20,7 +20,7 @@ int main() {
 
   const ramify::Cancellation never;
   ramify::TreeMeasures grown;
-  ramify::make_tree_sampler(model, false, never)->sample(n, key, 0, grown);
+  ramify::make_tree_sampler({model, ramify::grow_lean, ramify::max_size, &never})->sample(n, key, 0, grown);
 
   ramify::Stream stream(key, 0);
   const ramify::SplitTree<ramify::FixedSplit> grammar(ramify::FixedSplit(1 / 4.35));

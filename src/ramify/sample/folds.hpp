@@ -1,0 +1,68 @@
+#pragma once
+
+#include <numeric>
+#include <type_traits>
+#include <utility>
+
+#include "ramify/law/choice_path.hpp"
+#include "ramify/random/stream.hpp"
+#include "ramify/statistic/balance.hpp"
+#include "ramify/statistic/fill_level.hpp"
+#include "ramify/statistic/height.hpp"
+#include "ramify/statistic/horton_strahler.hpp"
+#include "ramify/statistic/joint.hpp"
+#include "ramify/statistic/last_node_depth.hpp"
+#include "ramify/statistic/strahler.hpp"
+#include "ramify/statistic/tree_measures.hpp"
+
+namespace ramify {
+
+// Larger values first: the lean pack is 8 bytes, the full one 12.
+using LeanFold = Joint<Height, HortonStrahler>;
+template <class Walk>
+using FullFoldOf = Joint<LastNodeDepthOf<Walk>, Height, HortonStrahler, FillLevel, Balance>;
+using FullFold = FullFoldOf<RandomWalk>;
+
+/// The fold of one tree; a walk gets its choices from `walk`.
+template <class F, class Walk>
+F make_fold(Walk walk) {
+  if constexpr (std::is_same_v<F, FullFoldOf<Walk>>) {
+    return F(LastNodeDepthOf<Walk>(walk), Height(), HortonStrahler(), FillLevel(), Balance());
+  } else if constexpr (std::is_same_v<F, LastNodeDepthOf<Walk>>) {
+    return F(walk);
+  } else {
+    return F();
+  }
+}
+
+inline void record(const Strahler&, Strahler::Value root, TreeMeasures& measures) {
+  measures.strahler = root;
+}
+inline void record(const Height&, Height::Value root, TreeMeasures& measures) {
+  measures.height = root;
+}
+inline void record(const FillLevel&, FillLevel::Value root, TreeMeasures& measures) {
+  measures.fill_level = root;
+}
+inline void record(const Balance&, Balance::Value root, TreeMeasures& measures) {
+  measures.balance = root;
+}
+template <class Walk>
+void record(const LastNodeDepthOf<Walk>&, std::uint32_t root, TreeMeasures& measures) {
+  measures.depth = root;
+}
+inline void record(const HortonStrahler& orders, HortonStrahler::Value root, TreeMeasures& measures) {
+  measures.strahler = root;
+  measures.nodes = orders.nodes();
+  measures.streams = orders.streams();
+  measures.size = std::accumulate(measures.nodes.begin() + 1, measures.nodes.end(), Size{0});
+}
+template <class... Folds>
+void record(const Joint<Folds...>& joint, const typename Joint<Folds...>::Value& root,
+            TreeMeasures& measures) {
+  [&]<std::size_t... I>(std::index_sequence<I...>) {
+    (record(joint.template get<Folds>(), get<I>(root), measures), ...);
+  }(std::index_sequence_for<Folds...>{});
+}
+
+}  // namespace ramify

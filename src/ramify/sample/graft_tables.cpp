@@ -1,0 +1,78 @@
+#include "ramify/sample/graft_tables.hpp"
+
+#include "ramify/law/balance_law.hpp"
+#include "ramify/law/build_law.hpp"
+#include "ramify/law/fill_level_law.hpp"
+#include "ramify/law/height_law.hpp"
+#include "ramify/law/strahler_law.hpp"
+
+namespace ramify {
+namespace {
+
+/// The law of the statistic that a fold computes.
+template <class F>
+struct LawOf;
+template <>
+struct LawOf<Strahler> {
+  using type = StrahlerLaw;
+};
+template <>
+struct LawOf<FillLevel> {
+  using type = FillLevelLaw;
+};
+template <>
+struct LawOf<Balance> {
+  using type = BalanceLaw;
+};
+template <>
+struct LawOf<Height> {
+  using type = HeightLaw;
+};
+
+template <class F>
+concept HasLaw = requires { typename LawOf<F>::type; };
+
+template <class F, class Law>
+OutcomesOf<F> outcomes(const Law& law, Size n) {
+  OutcomesOf<F> possible;
+  const auto pmf = law.pmf(n);
+  for (std::size_t i = 0; i < pmf.size(); ++i)
+    if (pmf[i] > 0) possible.push_back({static_cast<typename F::Value>(law.lowest(n) + i), {}, pmf[i]});
+  return possible;
+}
+
+template <HasLaw F>
+GraftTableOf<F> tabulate(const Model& model, Size largest) {
+  using Law = typename LawOf<F>::type;
+  const auto law = build_law(model, largest, empty_law<Law>(largest));
+  GraftTableOf<F> table;
+  for (Size n = 0; n <= largest; ++n) table.append(outcomes<F>(law, n));
+  return table;
+}
+
+template <class F>
+GraftTableOf<F> tabulate(const Model& model, Size largest) {
+  GraftTableOf<F> table;
+  const auto make = [](ChoicePath& path) {
+    using Enumerated = std::conditional_t<std::is_same_v<F, FullFold>, FullFoldOf<EnumeratedWalk>, F>;
+    return make_fold<Enumerated>(EnumeratedWalk(path));
+  };
+  for (const auto& law : outcome_laws(model, largest, make)) table.append(law);
+  return table;
+}
+
+}  // namespace
+
+template <class F>
+std::shared_ptr<const GraftTableOf<F>> make_graft_table(const Model& model, Size largest) {
+  return std::make_shared<const GraftTableOf<F>>(tabulate<F>(model, largest));
+}
+
+template std::shared_ptr<const GraftTableOf<Strahler>> make_graft_table<Strahler>(const Model&, Size);
+template std::shared_ptr<const GraftTableOf<Height>> make_graft_table<Height>(const Model&, Size);
+template std::shared_ptr<const GraftTableOf<FillLevel>> make_graft_table<FillLevel>(const Model&, Size);
+template std::shared_ptr<const GraftTableOf<Balance>> make_graft_table<Balance>(const Model&, Size);
+template std::shared_ptr<const GraftTableOf<LeanFold>> make_graft_table<LeanFold>(const Model&, Size);
+template std::shared_ptr<const GraftTableOf<FullFold>> make_graft_table<FullFold>(const Model&, Size);
+
+}  // namespace ramify

@@ -1,0 +1,14 @@
+#include "ramify/sample/sampler_of.hpp"
+#include "ramify/sample/samplers.hpp"
+
+namespace ramify::detail {
+
+std::unique_ptr<TreeSampler> lean_sampler(const SamplerOrder& order) {
+  return make_sampler_of<LeanFold>(order);
+}
+
+std::unique_ptr<TreeSampler> full_sampler(const SamplerOrder& order) {
+  return make_sampler_of<FullFold>(order);
+}
+
+}  // namespace ramify::detail

@@ -1,0 +1,74 @@
+#pragma once
+
+#include "ramify/model/split_tree.hpp"
+#include "ramify/sample/graft_tables.hpp"
+#include "ramify/sample/tree_sampler.hpp"
+#include "ramify/tree/grow.hpp"
+
+namespace ramify::detail {
+
+/// Grows trees of one split law, folds them with F and grafts what graft_size says.
+template <class Law, class F>
+class SamplerOf final : public TreeSampler {
+ public:
+  SamplerOf(const Law& law, const SamplerOrder& order)
+      : SamplerOf(std::make_shared<const Shared>(order, law)) {}
+
+  void sample(Size n, StreamKey key, std::uint64_t replicate, TreeMeasures& measures) override {
+    Stream stream(key, replicate);
+    F fold = make_fold<F>(RandomWalk(Stream(key, replicate, Lane::walk)));
+    measures = TreeMeasures();
+    measures.size = n;
+    record(fold, root_value(n, stream, fold), measures);
+  }
+
+  std::unique_ptr<TreeSampler> clone() const override {
+    return std::unique_ptr<TreeSampler>(new SamplerOf(shared_));
+  }
+
+ private:
+  // Where small sizes are grafted, those above them are what is left to draw.
+  static constexpr Size grafted_table_size = 256;
+
+  /// What all clones read.
+  struct Shared {
+    Shared(const SamplerOrder& order, const Law& law)
+        : model(order.model),
+          method(order.method),
+          cancellation(order.cancellation),
+          grammar(law, method.graft ? grafted_table_size : SplitTree<Law>::default_table_size) {
+      const Size largest = graft_size(model, method, order.largest_n);
+      if (largest > 0) table = make_graft_table<F>(model, largest);
+    }
+
+    Model model;
+    SamplingMethod method;
+    const Cancellation* cancellation;
+    SplitTree<Law> grammar;
+    std::shared_ptr<const GraftTableOf<F>> table;  // nothing where nothing is grafted
+  };
+
+  explicit SamplerOf(std::shared_ptr<const Shared> shared)
+      : shared_(std::move(shared)), grower_(*shared_->cancellation) {}
+
+  typename F::Value root_value(Size n, Stream& stream, F& fold) {
+    const Size grafted = graft_size(shared_->model, shared_->method, n);
+    if (grafted == 0) return grower_(shared_->grammar, n, stream, fold);
+    return grower_(shared_->grammar, n, stream, fold, Graft(*shared_->table, grafted));
+  }
+
+  std::shared_ptr<const Shared> shared_;
+  Grower<SplitTree<Law>, F, Stream> grower_;
+};
+
+/// The sampler of an order's model, whatever its law.
+template <class F>
+std::unique_ptr<TreeSampler> make_sampler_of(const SamplerOrder& order) {
+  return std::visit(
+      [&]<class Law>(const Law& law) -> std::unique_ptr<TreeSampler> {
+        return std::make_unique<SamplerOf<Law, F>>(law, order);
+      },
+      order.model.law());
+}
+
+}  // namespace ramify::detail

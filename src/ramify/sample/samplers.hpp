@@ -1,0 +1,16 @@
+#pragma once
+
+#include "ramify/sample/tree_sampler.hpp"
+
+/// One sampler for each pass, compiled apart: each is a growing loop for every split law.
+namespace ramify::detail {
+
+std::unique_ptr<TreeSampler> lean_sampler(const SamplerOrder& order);
+std::unique_ptr<TreeSampler> full_sampler(const SamplerOrder& order);
+std::unique_ptr<TreeSampler> strahler_sampler(const SamplerOrder& order);
+std::unique_ptr<TreeSampler> height_sampler(const SamplerOrder& order);
+std::unique_ptr<TreeSampler> fill_level_sampler(const SamplerOrder& order);
+std::unique_ptr<TreeSampler> balance_sampler(const SamplerOrder& order);
+std::unique_ptr<TreeSampler> depth_sampler(const SamplerOrder& order);
+
+}  // namespace ramify::detail

@@ -1,0 +1,29 @@
+#include "ramify/sample/tree_sampler.hpp"
+
+#include "ramify/core/contract.hpp"
+#include "ramify/sample/samplers.hpp"
+
+namespace ramify {
+
+std::unique_ptr<TreeSampler> make_tree_sampler(const SamplerOrder& order) {
+  switch (order.method.pass) {
+    case Pass::lean:
+      return detail::lean_sampler(order);
+    case Pass::full:
+      return detail::full_sampler(order);
+    case Pass::strahler:
+      return detail::strahler_sampler(order);
+    case Pass::height:
+      return detail::height_sampler(order);
+    case Pass::fill_level:
+      return detail::fill_level_sampler(order);
+    case Pass::balance:
+      return detail::balance_sampler(order);
+    case Pass::depth:
+      return detail::depth_sampler(order);
+  }
+  RAMIFY_EXPECTS(false);
+  return nullptr;
+}
+
+}  // namespace ramify

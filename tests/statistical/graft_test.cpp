@@ -1,0 +1,214 @@
+// Grafting changes nothing: grafted trees against the exact laws and against trees that are grown whole, for
+// every model and statistic; tables that are off by one size or of another model are found out.
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "support/goodness.hpp"
+#include "support/growing.hpp"
+#include "support/seed.hpp"
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "ramify/law/balance_law.hpp"
+#include "ramify/law/build_law.hpp"
+#include "ramify/law/depth_law.hpp"
+#include "ramify/law/exact_means.hpp"
+#include "ramify/law/fill_level_law.hpp"
+#include "ramify/law/height_law.hpp"
+#include "ramify/law/law_limit.hpp"
+#include "ramify/law/strahler_law.hpp"
+#include "ramify/sample/graft_tables.hpp"
+#include "ramify/sample/tree_sampler.hpp"
+
+namespace ramify {
+namespace {
+
+using Look = std::function<void(const TreeMeasures&)>;
+const Cancellation never;
+
+void sample(const Model& model, SamplingMethod method, Size n, std::uint64_t trees, const std::string& tag,
+            const Look& look) {
+  const auto sampler = make_tree_sampler({model, method, n, &never});
+  const StreamKey key{test::seed_of(tag), model.stream_cell(n)};
+  TreeMeasures measures;
+  for (std::uint64_t replicate = 0; replicate < trees; ++replicate) {
+    sampler->sample(n, key, replicate, measures);
+    look(measures);
+  }
+}
+
+/// A statistic that has a pass of its own and an exact law.
+struct Single {
+  std::string name;
+  Pass pass;
+  std::uint32_t TreeMeasures::* value;
+  std::vector<double> (*pmf)(const Model&, Size n);  ///< of the values 0, 1, ...
+};
+
+template <class Law>
+std::vector<double> pmf_of(const Model& model, Size n) {
+  const Law law = build_law(model, n, empty_law<Law>(n));
+  std::vector<double> pmf(law.lowest(n), 0.0);
+  const auto tail = law.pmf(n);
+  pmf.insert(pmf.end(), tail.begin(), tail.end());
+  return pmf;
+}
+
+const std::vector<Single> singles{
+    {"strahler", Pass::strahler, &TreeMeasures::strahler, pmf_of<StrahlerLaw>},
+    {"height", Pass::height, &TreeMeasures::height, pmf_of<HeightLaw>},
+    {"fill_level", Pass::fill_level, &TreeMeasures::fill_level, pmf_of<FillLevelLaw>},
+    {"balance", Pass::balance, &TreeMeasures::balance, pmf_of<BalanceLaw>},
+    {"depth", Pass::depth, &TreeMeasures::depth, pmf_of<DepthLaw>}};
+
+test::Tally tally_of(const Model& model, SamplingMethod method, Size n, std::uint64_t trees,
+                     const std::string& tag, std::uint32_t TreeMeasures::* value) {
+  test::Tally tally;
+  sample(model, method, n, trees, tag, [&](const TreeMeasures& m) { ++tally[{m.*value, 0}]; });
+  return tally;
+}
+
+std::vector<std::uint64_t> counts_of(const test::Tally& tally, std::size_t values) {
+  std::vector<std::uint64_t> counts(values, 0);
+  for (const auto& [outcome, count] : tally) {
+    counts.resize(std::max<std::size_t>(counts.size(), outcome.first + 1), 0);
+    counts[outcome.first] = count;
+  }
+  return counts;
+}
+
+class Grafted : public testing::TestWithParam<std::string> {
+ protected:
+  static constexpr Size n = 1500;  // one statistic is grafted at 256, several at 16 and 12
+  static constexpr std::uint64_t trees = 10'000;
+};
+
+TEST_P(Grafted, SinglesHaveTheExactLawAndThatOfWholeTrees) {
+  const Model model = Model::parse(GetParam());
+  std::vector<test::Tally> whole(singles.size());
+  sample(model, grow_full, n, trees, model.text() + " whole", [&](const TreeMeasures& m) {
+    for (std::size_t i = 0; i < singles.size(); ++i) ++whole[i][{m.*singles[i].value, 0}];
+  });
+  for (std::size_t i = 0; i < singles.size(); ++i) {
+    const Single& single = singles[i];
+    const std::string what = model.text() + " " + single.name;
+    const auto grafted = tally_of(model, {single.pass, true}, n, trees, what, single.value);
+    auto pmf = single.pmf(model, n);
+    const auto counts = counts_of(grafted, pmf.size());
+    pmf.resize(counts.size(), 0.0);
+    EXPECT_TRUE(test::agrees(test::chi_square(what + ", exact law", counts, pmf)));
+    EXPECT_TRUE(test::agrees(test::two_samples(what + ", whole trees", grafted, whole[i])));
+  }
+}
+
+TEST_P(Grafted, JointPassesHaveTheLawsOfWholeTrees) {
+  const Model model = Model::parse(GetParam());
+  // Pairs, so that what belongs to different trees is not put together.
+  using Pair = std::function<std::pair<std::uint64_t, std::uint64_t>(const TreeMeasures&)>;
+  const std::vector<std::pair<std::string, Pair>> pairs{
+      {"order and height", [](const TreeMeasures& m) { return std::pair{m.strahler, m.height}; }},
+      {"streams 2 and nodes 3", [](const TreeMeasures& m) { return std::pair{m.streams[2], m.nodes[3]}; }},
+      {"balance and fill", [](const TreeMeasures& m) { return std::pair{m.balance, m.fill_level}; }},
+      {"depth and nodes 1", [](const TreeMeasures& m) { return std::pair{m.depth, m.nodes[1] / 8}; }}};
+  const auto tallies = [&](SamplingMethod method, const std::string& tag) {
+    std::vector<test::Tally> result(pairs.size());
+    sample(model, method, n, trees, tag + model.text(), [&](const TreeMeasures& m) {
+      ASSERT_EQ(m.size, n);
+      for (std::size_t i = 0; i < pairs.size(); ++i) ++result[i][pairs[i].second(m)];
+    });
+    return result;
+  };
+  const auto lean = tallies({Pass::lean, true}, "lean"), full = tallies({Pass::full, true}, "full"),
+             whole = tallies(grow_full, "whole");
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const std::string what = model.text() + " " + pairs[i].first;
+    EXPECT_TRUE(test::agrees(test::two_samples(what + ", full", full[i], whole[i])));
+    if (i >= 2) continue;  // the lean pass knows no balance
+    EXPECT_TRUE(test::agrees(test::two_samples(what + ", lean", lean[i], whole[i])));
+  }
+}
+
+TEST_P(Grafted, CountsHaveTheExactMeans) {
+  const Model model = Model::parse(GetParam());
+  const Size size = std::min<Size>(1200, law_limit(model));
+  std::map<std::string, test::SampleMean> means;
+  sample(model, {Pass::lean, true}, size, trees, "counts" + model.text(), [&](const TreeMeasures& m) {
+    for (std::size_t k = 1; k <= 4; ++k) {
+      means[fmt::format("nodes_{}", k)].add(static_cast<double>(m.nodes[k]));
+      means[fmt::format("streams_{}", k)].add(static_cast<double>(m.streams[k]));
+    }
+  });
+  const ExactMeans exact(model, size);
+  for (const auto& [column, mean] : means)
+    EXPECT_TRUE(
+        test::agrees(test::z_test(model.text() + " " + column, mean, exact.moments(column, size)->mean)));
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, Grafted, testing::ValuesIn(test::all_models()), [](const auto& instance) {
+  std::string name = instance.param.substr(0, instance.param.find('('));
+  return name + std::to_string(instance.index);
+});
+
+// ---- tables that are wrong ----
+
+using OrderTable = GraftTableOf<HortonStrahler>;
+
+/// Orders and counts of a model, each size holding the law of the size `shift` away.
+OrderTable order_table(const std::string& text, Size largest, int shift) {
+  const auto laws =
+      outcome_laws(Model::parse(text), largest + 1, [](ChoicePath&) { return HortonStrahler(); });
+  OrderTable table;
+  for (Size n = 0; n <= largest; ++n)
+    table.append(laws[n <= 1 ? n : static_cast<Size>(static_cast<int>(n) + shift)]);
+  return table;
+}
+
+/// (order, nodes of order 1) of trees of size 40 of a model, grafted from a table up to size 6.
+test::Tally grow_on(const std::string& text, const OrderTable* table, const std::string& tag) {
+  constexpr Size n = 40, grafted = 6;
+  const Model model = Model::parse(text);
+  test::Tally tally;
+  std::visit(
+      [&]<class Law>(const Law& law) {
+        const SplitTree<Law> grammar(law);
+        Grower<SplitTree<Law>, HortonStrahler, Stream> grower(never);
+        for (std::uint64_t replicate = 0; replicate < 40'000; ++replicate) {
+          Stream stream({test::seed_of(tag), n}, replicate);
+          HortonStrahler fold;
+          const auto order = table == nullptr ? grower(grammar, n, stream, fold)
+                                              : grower(grammar, n, stream, fold, Graft(*table, grafted));
+          ++tally[{order, fold.nodes()[1]}];
+        }
+      },
+      model.law());
+  return tally;
+}
+
+TEST(GraftTable, ThatIsOffByOneSizeIsFoundOut) {
+  for (const char* text : {"bst", "catalan", "patricia(0.23)", "beta(2,5)"}) {
+    const auto whole = grow_on(text, nullptr, fmt::format("{} whole", text));
+    for (const int shift : {-1, 0, 1}) {
+      const OrderTable table = order_table(text, 6, shift);
+      const auto what = fmt::format("{}, table shifted by {}", text, shift);
+      const auto goodness = test::two_samples(what, grow_on(text, &table, what), whole);
+      EXPECT_TRUE(shift == 0 ? test::agrees(goodness) : test::rejected(goodness));
+    }
+  }
+}
+
+TEST(GraftTable, OfTheWrongModelIsFoundOut) {
+  for (const auto& [text, wrong] : {std::pair{"patricia(0.23)", "dst(0.23)"}, std::pair{"bst", "beta(2,2)"},
+                                    std::pair{"catalan", "bst"}, std::pair{"dst(0.23)", "dst(0.3)"}}) {
+    const auto whole = grow_on(text, nullptr, fmt::format("{} grown whole", text));
+    const OrderTable table = order_table(wrong, 6, 0);
+    const auto what = fmt::format("{} on a table of {}", text, wrong);
+    EXPECT_TRUE(test::rejected(test::two_samples(what, grow_on(text, &table, what), whole)));
+  }
+}
+
+}  // namespace
+}  // namespace ramify

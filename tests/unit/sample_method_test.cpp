@@ -1,0 +1,64 @@
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "ramify/sample/sampling_method.hpp"
+#include "ramify/statistic/horton_strahler.hpp"
+
+namespace ramify {
+namespace {
+
+using Names = std::vector<std::string>;
+
+TEST(SamplingMethod, IsTheLeastPassThatReadsWhatIsAsked) {
+  const auto pass = [](const Names& names, bool graft) {
+    const SamplingMethod method = sampling_method(StatisticSet::parse(names), graft);
+    EXPECT_EQ(method.graft, graft);
+    return method.pass;
+  };
+  EXPECT_EQ(pass({"size", "strahler", "height", "nodes", "streams"}, true), Pass::lean);
+  EXPECT_EQ(pass({"streams_mean_ratio"}, true), Pass::lean);
+  EXPECT_EQ(pass({"size"}, true), Pass::lean);
+  EXPECT_EQ(pass({"strahler"}, false), Pass::lean);
+  EXPECT_EQ(pass({"strahler"}, true), Pass::strahler);
+  EXPECT_EQ(pass({"size", "height"}, true), Pass::height);
+  EXPECT_EQ(pass({"depth"}, true), Pass::depth);
+  EXPECT_EQ(pass({"depth", "strahler"}, true), Pass::full);
+  for (const char* name : {"depth", "fill_level", "balance"}) EXPECT_EQ(pass({name}, false), Pass::full);
+}
+
+TEST(GraftSize, IsSmallBesideTheTreeAndFitsTheTally) {
+  for (const char* text : {"bst", "beta(2,2)", "split(0.3)", "dst(0.23)", "patricia(0.23)", "catalan"}) {
+    const Model model = Model::parse(text);
+    for (const Pass pass : {Pass::lean, Pass::full, Pass::strahler, Pass::height, Pass::fill_level,
+                            Pass::balance, Pass::depth}) {
+      Size last = 0;
+      for (Size n = 1; n <= Size{1} << 40; n *= 2) {
+        const Size grafted = graft_size(model, {pass, true}, n);
+        EXPECT_LE(grafted, n / 4) << text << ", n = " << n;
+        EXPECT_GE(grafted, last) << text << ", n = " << n;
+        EXPECT_EQ(graft_size(model, {pass, false}, n), 0u);
+        EXPECT_LE(grown_nodes(model, {pass, true}, n), static_cast<double>(n) + 1);
+        last = grafted;
+      }
+      if (pass == Pass::lean || pass == Pass::full) {
+        EXPECT_LE(last, HortonStrahler::largest_tallied);
+      }
+    }
+  }
+}
+
+TEST(Describe, SaysWhatIsDrawnAndUpToWhere) {
+  const Model model = Model::parse("bst");
+  EXPECT_EQ(describe(model, {Pass::lean, false}, 1'000'000), "every node is grown");
+  EXPECT_EQ(describe(model, {Pass::strahler, true}, 1023), "every node is grown");
+  EXPECT_EQ(describe(model, {Pass::strahler, true}, 1024),
+            "strahler of subtrees up to n = 256 drawn from the exact law");
+  EXPECT_EQ(describe(model, {Pass::lean, true}, 1024),
+            "order, height and counts of subtrees up to n = 16 drawn from the exact law");
+  EXPECT_EQ(describe(model, {Pass::depth, true}, 10), "the walk to the last node alone");
+}
+
+}  // namespace
+}  // namespace ramify
