@@ -54,6 +54,9 @@ class BoundedLaw {
   /// P(V = k), k = 0..K, K = floor(log2(largest_n + 1)), of a tree of size n < sizes().
   std::vector<double> pmf(Size n) const;
 
+  /// The value of pmf(n)'s first entry.
+  static Size lowest(Size) { return 0; }
+
   /// P(V = k) of size n < sizes(); 0 outside 0..K.
   double at(Size n, std::ptrdiff_t k) const;
 

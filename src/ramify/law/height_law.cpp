@@ -76,6 +76,14 @@ double HeightLaw::above(Size n, Size h) const {
   return h < place.high ? above_[place.begin + (h - place.low)] : 0;
 }
 
+std::vector<double> HeightLaw::pmf(Size n) const {
+  RAMIFY_EXPECTS(n < sizes());
+  std::vector<double> probabilities;
+  for (Size h = places_[n].low; h <= places_[n].high; ++h)
+    probabilities.push_back(std::max(0.0, above(n, h - 1) - above(n, h)));
+  return probabilities;
+}
+
 Moments HeightLaw::moments(Size n) const {
   RAMIFY_EXPECTS(n < sizes());
   const Place& place = places_[n];
