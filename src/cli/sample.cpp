@@ -10,6 +10,7 @@
 #include "ramify/core/number.hpp"
 #include "ramify/experiment/tree_batch.hpp"
 #include "ramify/io/csv_writer.hpp"
+#include "ramify/io/read_count.hpp"
 
 namespace ramify::cli {
 namespace {
