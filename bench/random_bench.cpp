@@ -4,6 +4,7 @@
 
 #include "generators.hpp"
 #include <benchmark/benchmark.h>
+#include <boost/random/gamma_distribution.hpp>
 
 #include "ramify/random/alias_table.hpp"
 #include "ramify/random/stream.hpp"
@@ -64,6 +65,16 @@ void beta_10_10(benchmark::State& state) {
 }
 
 template <class Generator>
+void gamma_10(benchmark::State& state) {
+  time_draws<Generator>(state, [](Generator& g) { return gamma_variate(g, 10); });
+}
+
+template <class Generator>
+void gamma_10_of_boost(benchmark::State& state) {
+  time_draws<Generator>(state, [](Generator& g) { return boost::random::gamma_distribution<double>(10)(g); });
+}
+
+template <class Generator>
 void binomial_1000(benchmark::State& state) {
   time_draws<Generator>(state, [](Generator& g) { return binomial_variate(g, 1000, 0.23); });
 }
@@ -77,6 +88,8 @@ RAMIFY_BENCH_GENERATORS(word);
 RAMIFY_BENCH_GENERATORS(bounded);
 RAMIFY_BENCH_GENERATORS(alias);
 RAMIFY_BENCH_GENERATORS(beta_10_10);
+RAMIFY_BENCH_GENERATORS(gamma_10);
+RAMIFY_BENCH_GENERATORS(gamma_10_of_boost);
 RAMIFY_BENCH_GENERATORS(binomial_1000);
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "ramify/core/number.hpp"
 #include "ramify/fit/fit_table.hpp"
 #include "ramify/fit/ratio_fitter.hpp"
+#include "ramify/io/read_count.hpp"
 
 namespace ramify::cli {
 namespace {

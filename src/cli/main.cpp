@@ -59,6 +59,7 @@ int run_program(int argc, char** argv) {
   listen_for_signals(session.cancellation);
   cli::add_list(app, session);
   cli::add_sample(app, session);
+  cli::add_law(app, session);
   cli::add_theory(app, session);
   cli::add_run(app, session);
   cli::add_reproduce(app, session);

@@ -6,6 +6,7 @@
 
 #include "ramify/core/number.hpp"
 #include "ramify/io/atomic_file.hpp"
+#include "ramify/io/read_count.hpp"
 
 namespace ramify::cli {
 namespace {

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "ramify/core/number.hpp"
+#include "ramify/io/read_count.hpp"
 
 namespace ramify::cli {
 namespace {

@@ -10,7 +10,8 @@
 #include "ramify/core/number.hpp"
 #include "ramify/experiment/tree_batch.hpp"
 #include "ramify/io/csv_writer.hpp"
-#include "ramify/sample/sampling_method.hpp"
+#include "ramify/io/read_count.hpp"
+#include "ramify/sample/graft_rule.hpp"
 
 namespace ramify::cli {
 namespace {
@@ -46,7 +47,8 @@ ExitCode sample(const Options& options, const Cancellation& cancellation) {
   const double trees = static_cast<double>(range.last - range.first);
   if (options.format == "csv") {
     const auto statistics = StatisticSet::parse(split_list(options.statistics));
-    require_consent(trees * grown_nodes(model, sampling_method(statistics, batch.graft), n), options.yes);
+    require_consent(trees * GraftRule(model, sampling_method(statistics, batch.graft)).grown_nodes(n),
+                    options.yes);
     emit(batch.table(statistics, range.first, range.last, cancellation), options.output);
   } else if (options.format == "parens") {
     require_consent(trees * static_cast<double>(n), options.yes);

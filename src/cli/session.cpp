@@ -11,19 +11,11 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "ramify/core/number.hpp"
 #include "ramify/experiment/plan.hpp"
 #include "ramify/io/atomic_file.hpp"
+#include "ramify/io/read_count.hpp"
 
 namespace ramify::cli {
-
-std::uint64_t read_count(std::string_view what, const std::string& text) {
-  const auto value = parse_count(text);
-  if (!value || *value > max_size)
-    throw Error(fmt::format("{} '{}'", what, text), "not a whole number from 0 to 2^62",
-                "write it like 1000, 1e6 or 2^20");
-  return *value;
-}
 
 std::vector<std::string> split_list(const std::string& text) {
   std::vector<std::string> items(1);

@@ -22,14 +22,11 @@ struct Session {
 /// Each adds one verb to the program and, when it is chosen, sets session.work.
 void add_list(CLI::App& app, Session& session);
 void add_sample(CLI::App& app, Session& session);
+void add_law(CLI::App& app, Session& session);
 void add_theory(CLI::App& app, Session& session);
 void add_run(CLI::App& app, Session& session);
 void add_reproduce(CLI::App& app, Session& session);
 void add_fit(CLI::App& app, Session& session);
-
-/// "1000", "1e6", "2^20", "1_000_000"; throws Error for anything but a whole number from 0 to 2^62. what
-/// names the option.
-std::uint64_t read_count(std::string_view what, const std::string& text);
 
 /// A comma-separated list, spaces trimmed; commas inside parentheses belong to the item: "beta(1,5),bst" is
 /// two.

@@ -13,10 +13,11 @@ TEST_P(Verb, HasHelpWithAnExample) {
   EXPECT_NE(ran.out.find("Example: ramify " + std::string(GetParam())), std::string::npos) << ran.out;
 }
 
-INSTANTIATE_TEST_SUITE_P(Verbs, Verb, testing::Values("list", "sample", "theory", "run", "reproduce", "fit"));
+INSTANTIATE_TEST_SUITE_P(Verbs, Verb,
+                         testing::Values("list", "sample", "law", "theory", "run", "reproduce", "fit"));
 
 TEST(Help, ExamplesOfQuickVerbsRun) {
-  for (const char* verb : {"list", "sample", "theory"}) {
+  for (const char* verb : {"list", "sample", "law", "theory"}) {
     const std::string help = ramify(std::string(verb) + " --help").out;
     const auto begin = help.find("Example: ramify ") + 16;
     const std::string example = help.substr(begin, help.find('\n', begin) - begin);

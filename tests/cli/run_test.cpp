@@ -46,7 +46,7 @@ TEST(Run, AnotherSeedGivesAnotherTable) {
 TEST(Run, SevenThreadsReallyRun) {
   const Scratch scratch;
   const std::string config =
-      scratch.file("long.toml", "models=[\"bst\"]\nn=[100000]\nreplicates=3000\nstatistics=[\"height\"]\n");
+      scratch.file("long.toml", "models=[\"bst\"]\nn=[100000]\nreplicates=3000\nstatistics=[\"height\"]\ngraft=false\n");
   const Ran ran =
       shell(std::string(RAMIFY_PROGRAM) + " run " + config + " --threads 7 --out " +
             (scratch / "o").string() + " & sleep 0.7; ls /proc/$!/task | wc -l; kill -INT $!; wait $!; true");

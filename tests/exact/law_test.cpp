@@ -19,7 +19,6 @@
 #include "ramify/law/law_limit.hpp"
 #include "ramify/law/order_means.hpp"
 #include "ramify/law/order_moments.hpp"
-#include "ramify/law/split_rows.hpp"
 #include "ramify/law/strahler_law.hpp"
 
 namespace {
@@ -120,8 +119,8 @@ TEST_P(LawOfModel, AgreesWithAllTreesToSize8) {
       expect_near(at(laws.strahler.pmf(n), k), truth.strahler[k], tolerance, "strahler");
       expect_near(at(laws.balance.pmf(n), k), truth.balance[k], tolerance, "balance");
       expect_near(at(laws.fill_level.pmf(n), k), truth.fill_level[k], tolerance, "fill level");
-      const double height_at_k = laws.height.at_most(n, k) - (k == 0 ? 0 : laws.height.at_most(n, k - 1));
-      expect_near(height_at_k, truth.height[k], tolerance, "height");
+      const Size lowest = laws.height.lowest(n);
+      expect_near(k < lowest ? 0 : at(laws.height.pmf(n), k - lowest), truth.height[k], tolerance, "height");
       expect_near(at(laws.orders.nodes(n), k), truth.nodes[k], tolerance, "nodes");
       expect_near(at(laws.orders.streams(n), k), truth.streams[k], tolerance, "streams");
     }
@@ -153,76 +152,6 @@ TEST(Enumeration, TellsNeighboursApart) {
   EXPECT_GT(std::abs(dst.depth.moments(n).mean - moments(truth.depth).mean), 0.01);
   EXPECT_GT(std::abs(static_cast<double>(truth.nodes[1] - truth.streams[1])), 0.01);
   EXPECT_GT(std::abs(moments(truth.balance).mean - moments(truth.strahler).mean), 0.01);
-}
-
-struct Known {
-  const char* model;
-  const char* column;
-  Size n;
-  double mean;
-  double digits;  // half a unit of the last one printed
-};
-
-class KnownMean : public testing::TestWithParam<Known> {};
-
-TEST_P(KnownMean, IsMet) {
-  const Known& known = GetParam();
-  const auto exact = ExactMeans(Model::parse(known.model), known.n).moments(known.column, known.n);
-  ASSERT_TRUE(exact);
-  EXPECT_NEAR(exact->mean, known.mean, known.digits) << known.model << " " << known.column << " " << known.n;
-}
-
-// Depth and height count nodes here: one more than where edges and internal levels are counted.
-const std::vector<Known> known_means{
-    {"bst", "strahler", 3, 4.0 / 3, 1e-14},
-    {"bst", "strahler", 5, 1.866667, 5e-7},
-    {"bst", "strahler", 100, 4.220366, 5e-7},
-    {"bst", "strahler", 579, 5.903625230898, 5e-13},
-    {"bst", "strahler", 1000, 6.291212049411, 5e-13},
-    {"catalan", "strahler", 10, 2.015956, 5e-7},
-    {"catalan", "strahler", 579, 4.911280122962, 5e-13},
-    {"catalan", "strahler", 1000, 5.235550504910, 5e-13},
-    {"patricia(1/4.35)", "strahler", 10, 2.104855, 5e-7},
-    {"patricia(1/4.35)", "strahler", 579, 5.029477, 5e-7},
-    {"patricia(1/4.35)", "strahler", 2000, 6.004520, 5e-7},
-    {"dst(1/4.35)", "strahler", 10, 2.179458, 5e-7},
-    {"dst(1/4.35)", "strahler", 579, 5.088462, 5e-7},
-    {"dst(0.23)", "strahler", 579, 5.089242, 5e-7},
-    {"dst(1/4.35)", "strahler", 2000, 6.020987, 5e-7},
-    {"bst", "depth", 1000, 12.9709417211 + 1, 5e-11},
-    {"bst", "height", 1000, 22.0395060178 + 1, 5e-11},
-    {"patricia(0.5)", "height", 579, 12.3985 + 1, 5e-5},
-    {"patricia(0.23)", "height", 579, 21.12 + 1, 5e-3},
-    {"dst(0.23)", "height", 579, 19.99 + 1, 5e-3},
-    {"bst", "fill_level", 1000, 4.119673712785, 5e-13},
-    {"bst", "balance", 10, 2.279048, 5e-7},
-    {"bst", "balance", 100, 4.437107, 5e-7},
-    {"bst", "balance", 1000, 6.711966244376, 5e-13},
-    {"catalan", "balance", 1000, 5.587713, 5e-7},
-    {"dst(1/4.35)", "balance", 579, 5.211026, 5e-7},
-    {"dst(1/4.35)", "streams_0", 579, 580, 1e-12},
-    {"dst(1/4.35)", "streams_1", 579, 201.2269, 5e-5},
-    {"dst(1/4.35)", "streams_2", 579, 64.4826, 5e-5},
-    {"dst(1/4.35)", "streams_3", 579, 18.7627, 5e-5},
-    {"dst(1/4.35)", "streams_4", 579, 5.1268, 5e-5},
-    {"dst(1/4.35)", "streams_5", 579, 1.0895, 5e-5},
-    {"dst(1/4.35)", "streams_6", 579, 0.0885, 5e-5},
-    {"bst", "streams_1", 1000, 1001.0 / 3, 1e-10},
-    {"catalan", "streams_1", 1000, 1000.0 * 1001 / (2 * 1999), 1e-10},
-    {"split(1/4.35)", "streams_2", 579, 46, 0},
-    {"split(1/4.35)", "nodes_3", 579, 35, 0},
-    {"split(1/4.35)", "height", 579, 22, 0},
-    {"split(0.25)", "height", 15, 8, 0},
-};
-
-INSTANTIATE_TEST_SUITE_P(Exact, KnownMean, testing::ValuesIn(known_means));
-
-TEST(StrahlerLaw, HasTheKnownProbabilities) {
-  const auto law = ramify::build_law(Model::parse("bst"), 1000, ramify::StrahlerLaw(1000));
-  const std::array<double, 3> at_579{0.103712, 0.888951, 0.007337};
-  for (std::size_t i = 0; i < at_579.size(); ++i) EXPECT_NEAR(law.pmf(579)[5 + i], at_579[i], 5e-7);
-  EXPECT_NEAR(law.all_sizes(ramify::LawForm::from, 8)[1000], 2.06e-7,
-              5e-10);  // a small tail keeps its relative accuracy
 }
 
 TEST(Laws, DoNotTellBetaWithOneMoreOnTheRightFromTheSymmetricBeta) {
@@ -283,12 +212,25 @@ TEST(ExactMeans, SaysWhatItDoesNotKnow) {
     EXPECT_FALSE(exact.moments(column, 20)) << column;
   EXPECT_FALSE(exact.moments("strahler", 51));
   EXPECT_TRUE(exact.moments("strahler", 50));
-  EXPECT_TRUE(std::isnan(exact.moments("nodes_1", 20)->variance));
   EXPECT_EQ(exact.moments("nodes_9", 20)->mean, 0);
   EXPECT_EQ(exact.moments("size", 20)->mean, 20);
   EXPECT_EQ(exact.moments("size", 20)->variance, 0);
   EXPECT_EQ(exact.moments("depth", 0)->mean, 0);
   EXPECT_EQ(exact.moments("height", 0)->mean, 1);
+}
+
+TEST(ExactMeans, HasVariancesOfCountsUpToTheirLimit) {
+  const Model bst = Model::parse("bst");
+  const Size limit = ramify::order_moments_limit(bst);
+  ASSERT_LT(limit, ramify::law_limit(bst));
+  const ExactMeans exact(bst, limit + 1);
+  // Var M_1 = 2(n+1)/45 for n >= 4 (a classical result for cherries of Yule trees).
+  EXPECT_NEAR(exact.moments("streams_1", 20)->variance, 2.0 * 21 / 45, 1e-11);
+  EXPECT_NEAR(exact.moments("streams_1", limit)->variance, 2.0 * static_cast<double>(limit + 1) / 45, 1e-9);
+  EXPECT_TRUE(std::isnan(exact.moments("streams_1", limit + 1)->variance));
+  EXPECT_EQ(exact.moments("nodes_0", 20)->variance, 0);
+  EXPECT_EQ(exact.moments("nodes_9", 20)->variance, 0);
+  EXPECT_GE(exact.moments("nodes_1", 1)->variance, 0);  // rounding must not leave it below
 }
 
 TEST(ExactMeans, StopsAtTheLimitOfItsModel) {
@@ -348,28 +290,6 @@ TEST(OrderMoments, OfBstCherriesAreKnown) {
   for (const Size n : {4u, 10u, 100u, 300u}) {
     EXPECT_NEAR(law.covariance(n, cherries, cherries), 2 * static_cast<double>(n + 1) / 45, 1e-11);
     EXPECT_NEAR(law.mean(n, cherries), static_cast<double>(n + 1) / 3, 1e-11);
-  }
-}
-
-// The rows of a law are its pmf, folded: for beta that holds the quadrature against the incomplete betas.
-TEST(SplitRows, AreTheFoldedPmf) {
-  for (const char* text : {"bst", "catalan", "split(0.25)", "dst(0.23)", "patricia(0.77)", "patricia(1e-9)",
-                           "beta(2,2)", "beta(0.01,0.01)", "beta(10,80)", "beta(0.3,5)", "beta(1000,1000)"}) {
-    const Model model = Model::parse(text);
-    ramify::SplitRows rows(model);
-    for (const Size n : {1u, 2u, 3u, 17u, 100u, 1001u}) {
-      const auto row = rows.row(n);
-      auto pmf = n == 1 ? std::vector<double>{1} : pmf_of(model)(n);
-      for (Size i = (n + 1) / 2; i < n; ++i) pmf[n - 1 - i] += pmf[i];
-      Real sum = 0;
-      for (std::size_t m = 0; m < row.weights.size(); ++m) {
-        sum += row.weights[m];
-        const double truth = pmf[row.smaller(m)];
-        if (truth <= 1e-15) continue;
-        EXPECT_NEAR(row.weights[m] / truth, 1, 1e-10) << text << " n = " << n << " m = " << m;
-      }
-      EXPECT_NEAR(static_cast<double>(sum), 1, 1e-14) << text << " n = " << n;
-    }
   }
 }
 

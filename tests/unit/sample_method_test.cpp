@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ramify/sample/sampling_method.hpp"
+#include "ramify/sample/graft_rule.hpp"
 #include "ramify/statistic/horton_strahler.hpp"
 
 namespace ramify {
@@ -28,18 +28,19 @@ TEST(SamplingMethod, IsTheLeastPassThatReadsWhatIsAsked) {
   for (const char* name : {"depth", "fill_level", "balance"}) EXPECT_EQ(pass({name}, false), Pass::full);
 }
 
-TEST(GraftSize, IsSmallBesideTheTreeAndFitsTheTally) {
+TEST(GraftRule, IsSmallBesideTheTreeAndFitsTheTally) {
   for (const char* text : {"bst", "beta(2,2)", "split(0.3)", "dst(0.23)", "patricia(0.23)", "catalan"}) {
     const Model model = Model::parse(text);
     for (const Pass pass : {Pass::lean, Pass::full, Pass::strahler, Pass::height, Pass::fill_level,
                             Pass::balance, Pass::depth}) {
+      const GraftRule rule(model, {pass, true}), whole(model, {pass, false});
       Size last = 0;
       for (Size n = 1; n <= Size{1} << 40; n *= 2) {
-        const Size grafted = graft_size(model, {pass, true}, n);
+        const Size grafted = rule.size(n);
         EXPECT_LE(grafted, n / 4) << text << ", n = " << n;
         EXPECT_GE(grafted, last) << text << ", n = " << n;
-        EXPECT_EQ(graft_size(model, {pass, false}, n), 0u);
-        EXPECT_LE(grown_nodes(model, {pass, true}, n), static_cast<double>(n) + 1);
+        EXPECT_EQ(whole.size(n), 0u);
+        EXPECT_LE(rule.grown_nodes(n), static_cast<double>(n) + 1);
         last = grafted;
       }
       if (pass == Pass::lean || pass == Pass::full) {
@@ -49,15 +50,15 @@ TEST(GraftSize, IsSmallBesideTheTreeAndFitsTheTally) {
   }
 }
 
-TEST(Describe, SaysWhatIsDrawnAndUpToWhere) {
+TEST(GraftRule, SaysWhatIsDrawnAndUpToWhere) {
   const Model model = Model::parse("bst");
-  EXPECT_EQ(describe(model, {Pass::lean, false}, 1'000'000), "every node is grown");
-  EXPECT_EQ(describe(model, {Pass::strahler, true}, 1023), "every node is grown");
-  EXPECT_EQ(describe(model, {Pass::strahler, true}, 1024),
+  EXPECT_EQ(GraftRule(model, {Pass::lean, false}).describe(1'000'000), "every node is grown");
+  EXPECT_EQ(GraftRule(model, {Pass::strahler, true}).describe(1023), "every node is grown");
+  EXPECT_EQ(GraftRule(model, {Pass::strahler, true}).describe(1024),
             "strahler of subtrees up to n = 256 drawn from the exact law");
-  EXPECT_EQ(describe(model, {Pass::lean, true}, 1024),
+  EXPECT_EQ(GraftRule(model, {Pass::lean, true}).describe(1024),
             "order, height and counts of subtrees up to n = 16 drawn from the exact law");
-  EXPECT_EQ(describe(model, {Pass::depth, true}, 10), "the walk to the last node alone");
+  EXPECT_EQ(GraftRule(model, {Pass::depth, true}).describe(10), "the walk to the last node alone");
 }
 
 }  // namespace

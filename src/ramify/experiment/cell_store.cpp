@@ -9,6 +9,7 @@
 #include "ramify/core/version.hpp"
 #include "ramify/io/atomic_file.hpp"
 #include "ramify/random/hash.hpp"
+#include "ramify/sample/graft_rule.hpp"
 
 namespace ramify {
 namespace {
@@ -89,7 +90,7 @@ std::filesystem::path CellStore::file_of(std::size_t index) const {
   const Cell& cell = plan_->cells[index];
   std::string key = fmt::format("{} {} {} {}({}) {} {} {}", version, table_schema, plan_->seed,
                                 cell.model.name(), cell.model.stream_cell(cell.n), cell.n, cell.replicates,
-                                describe(cell.model, plan_->method, cell.n));
+                                GraftRule(cell.model, plan_->method).describe(cell.n));
   for (const auto* info : plan_->statistics.chosen()) key += fmt::format(" {}", info->name);
   return folder_ / fmt::format("{:016x}.json", hash_text(key));
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ramify/sample/graft_rule.hpp"
+
 namespace ramify {
 namespace {
 
@@ -32,10 +34,11 @@ WorkEstimate estimate_work(const Plan& plan, unsigned threads) {
   WorkEstimate work{0, 0, 20};
   for (const auto& cell : plan.cells) {
     const double trees = static_cast<double>(cell.replicates);
-    const double nodes = trees * grown_nodes(cell.model, plan.method, cell.n);
-    const bool grafted = graft_size(cell.model, plan.method, cell.n) > 0;
+    const GraftRule rule(cell.model, plan.method);
+    const double nodes = trees * rule.grown_nodes(cell.n);
     work.nodes += nodes;
-    work.minutes += nodes * (grafted ? nanoseconds_grafted : nanoseconds_a_node) / 1e9 / 60 / threads;
+    work.minutes +=
+        nodes * (rule.size(cell.n) > 0 ? nanoseconds_grafted : nanoseconds_a_node) / 1e9 / 60 / threads;
     const double columns = static_cast<double>(plan.statistics.columns(cell.n).size());
     const double bytes =
         open_levels(cell) * open_node_bytes * threads + table_bytes + trees * columns * value_bytes;

@@ -13,6 +13,7 @@
 #include "ramify/experiment/run_plots.hpp"
 #include "ramify/experiment/runner.hpp"
 #include "ramify/io/atomic_file.hpp"
+#include "ramify/sample/graft_rule.hpp"
 
 namespace ramify {
 namespace {
@@ -64,8 +65,9 @@ nlohmann::ordered_json provenance_of(const RunConfig& config, const RunOptions& 
 nlohmann::ordered_json sampled(const Plan& plan) {
   auto cells = nlohmann::ordered_json::array();
   for (const auto& cell : plan.cells)
-    cells.push_back(
-        {{"model", cell.model.text()}, {"n", cell.n}, {"method", describe(cell.model, plan.method, cell.n)}});
+    cells.push_back({{"model", cell.model.text()},
+                     {"n", cell.n},
+                     {"method", GraftRule(cell.model, plan.method).describe(cell.n)}});
   return cells;
 }
 

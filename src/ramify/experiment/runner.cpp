@@ -9,6 +9,7 @@
 #include "ramify/core/error.hpp"
 #include "ramify/core/parallel.hpp"
 #include "ramify/experiment/cell_accumulator.hpp"
+#include "ramify/sample/graft_rule.hpp"
 #include "ramify/sample/tree_sampler.hpp"
 
 namespace ramify {
@@ -65,7 +66,7 @@ class Run {
 
   void add_blocks(std::size_t c) {
     const Cell& cell = plan_.cells[c];
-    const std::uint64_t size = block_trees(grown_nodes(cell.model, plan_.method, cell.n));
+    const std::uint64_t size = block_trees(GraftRule(cell.model, plan_.method).grown_nodes(cell.n));
     std::size_t index = 0;
     for (std::uint64_t first = 0; first < cell.replicates; first += size)
       blocks_.push_back({c, first, std::min(first + size, cell.replicates), index++});
@@ -103,8 +104,8 @@ class Run {
   void finish(const Block& block, CellAccumulator sums) {
     const Cell& cell = plan_.cells[block.cell];
     const std::lock_guard lock(mutex_);
-    nodes_done_ +=
-        static_cast<double>(block.last - block.first) * grown_nodes(cell.model, plan_.method, cell.n);
+    nodes_done_ += static_cast<double>(block.last - block.first) *
+                   GraftRule(cell.model, plan_.method).grown_nodes(cell.n);
     OpenCell& open = open_[block.cell];
     open.blocks[block.index] = std::move(sums);
     if (observer_.progress) observer_.progress(nodes_done_);

@@ -16,17 +16,20 @@ std::optional<Size> order_of(std::string_view column, std::string_view prefix) {
   return parse_count(column.substr(prefix.size()));
 }
 
-Moments mean_only(const std::vector<double>& means, Size k) {
-  const double none = std::numeric_limits<double>::quiet_NaN();
-  return {k < means.size() ? means[k] : 0, none};
-}
-
 }  // namespace
 
 ExactMeans::ExactMeans(const Model& model, Size largest_n)
-    : largest_n_(std::min(largest_n, law_limit(model))), rows_(model) {}
+    : largest_n_(std::min(largest_n, law_limit(model))),
+      largest_n_with_variances_(std::min(largest_n, order_moments_limit(model))),
+      rows_(model) {}
 
 /// The law with every size up to n.
+template <class Law>
+const Law& ExactMeans::extended(Law& law, Size n) const {
+  while (law.sizes() <= n) law.extend(rows_.row(law.sizes()));
+  return law;
+}
+
 template <class Law>
 const Law& ExactMeans::known(std::optional<Law>& law, Size n) const {
   if constexpr (std::constructible_from<Law, Size>) {
@@ -34,8 +37,15 @@ const Law& ExactMeans::known(std::optional<Law>& law, Size n) const {
   } else {
     if (!law) law.emplace();
   }
-  while (law->sizes() <= n) law->extend(rows_.row(law->sizes()));
-  return *law;
+  return extended(*law, n);
+}
+
+Moments ExactMeans::of_count(Size n, OrderCount count) const {
+  const double mean = known(orders_, n).mean(n, count);
+  if (n > largest_n_with_variances_) return {mean, std::numeric_limits<double>::quiet_NaN()};
+  if (!order_moments_)
+    order_moments_.emplace(known(orders_, largest_n_with_variances_), largest_n_with_variances_);
+  return {mean, extended(*order_moments_, n).variance(n, count)};
 }
 
 std::optional<Moments> ExactMeans::moments(std::string_view column, Size n) const {
@@ -46,8 +56,8 @@ std::optional<Moments> ExactMeans::moments(std::string_view column, Size n) cons
   if (column == "depth") return known(depth_, n).moments(n);
   if (column == "fill_level") return known(fill_level_, n).moments(n);
   if (column == "balance") return known(balance_, n).moments(n);
-  if (const auto k = order_of(column, "nodes_")) return mean_only(known(orders_, n).nodes(n), *k);
-  if (const auto k = order_of(column, "streams_")) return mean_only(known(orders_, n).streams(n), *k);
+  if (const auto k = order_of(column, "nodes_")) return of_count(n, {OrderCount::Of::nodes, *k});
+  if (const auto k = order_of(column, "streams_")) return of_count(n, {OrderCount::Of::streams, *k});
   return std::nullopt;
 }
 

@@ -9,6 +9,7 @@
 #include "ramify/law/height_law.hpp"
 #include "ramify/law/moments.hpp"
 #include "ramify/law/order_means.hpp"
+#include "ramify/law/order_moments.hpp"
 #include "ramify/law/strahler_law.hpp"
 
 namespace ramify {
@@ -21,20 +22,30 @@ namespace ramify {
 class ExactMeans {
  public:
   ExactMeans(const Model& model, Size largest_n);
+  ExactMeans(const ExactMeans&) = delete;  // order_moments_ refers to orders_
+  ExactMeans(ExactMeans&&) = delete;
+  ExactMeans& operator=(const ExactMeans&) = delete;
+  ExactMeans& operator=(ExactMeans&&) = delete;
+  ~ExactMeans() = default;
 
   /// The largest n it answers for.
   Size largest_n() const { return largest_n_; }
 
   /// @param column  as in StatisticSet::columns: "strahler", "height", "depth", "fill_level", "balance",
-  /// "size", "nodes_3", "streams_2" Nothing where n > largest_n() or the column has no exact law here.
-  /// nodes_k and streams_k have the mean only.
+  /// "size", "nodes_3", "streams_2". Nothing where n > largest_n() or the column has no exact law here.
+  /// nodes_k and streams_k have the mean only where n > order_moments_limit(model).
   std::optional<Moments> moments(std::string_view column, Size n) const;
 
  private:
   template <class Law>
+  const Law& extended(Law& law, Size n) const;
+  template <class Law>
   const Law& known(std::optional<Law>& law, Size n) const;
 
+  Moments of_count(Size n, OrderCount count) const;
+
   Size largest_n_;
+  Size largest_n_with_variances_;
   mutable StoredSplitRows rows_;
   mutable std::optional<StrahlerLaw> strahler_;
   mutable std::optional<HeightLaw> height_;
@@ -42,6 +53,7 @@ class ExactMeans {
   mutable std::optional<FillLevelLaw> fill_level_;
   mutable std::optional<BalanceLaw> balance_;
   mutable std::optional<OrderMeans> orders_;
+  mutable std::optional<OrderMoments> order_moments_;
 };
 
 }  // namespace ramify

@@ -30,7 +30,8 @@ class HeightLaw {
   /// P(H_n <= h).
   double at_most(Size n, Size h) const { return 1 - above(n, h); }
 
-  /// P(H_n = h), h = lowest(n) + 0, 1, ...: differences of D. O(w).
+  /// P(H_n = h), h = lowest(n) + 0, 1, ...: differences of D, so the upper tail keeps the relative accuracy
+  /// of those. O(w).
   std::vector<double> pmf(Size n) const;
 
   /// The smallest height that pmf(n) holds.

@@ -1,32 +1,48 @@
 #include "ramify/law/law_limit.hpp"
 
+#include <algorithm>
+
 namespace ramify {
 namespace {
 
-// Seconds at the limit, one core of 2020s server hardware, every statistic that ExactMeans knows.
-Size limit(const Bst&) {
-  return 4096;
-}  // 0.9
-Size limit(const Catalan&) {
-  return 3000;
-}  // 1.4: heights spread over 13 sqrt(n) values
-Size limit(const Beta&) {
-  return 1024;
-}  // 0.5-1.5: two incomplete betas for every entry of a row
-Size limit(const Dst&) {
-  return 8192;
-}  // 1: rows of O(sqrt n) entries
-Size limit(const Patricia&) {
-  return 8192;
-}  // 1
-Size limit(const FixedSplit&) {
-  return 8192;
-}  // 0.1
+struct Limit {
+  Size all_laws;
+  Size order_moments;
+};
+
+// Seconds on one core of 2020s server hardware: of all laws that ExactMeans knows, and of OrderMoments.
+Limit limit(const Bst&) {
+  return {8192, 2048};  // 2.4, 0.6
+}
+Limit limit(const Catalan&) {
+  return {3000, 2048};  // 1.3, 0.7: heights and depths spread over 13.6 sqrt(n) values
+}
+Limit limit(const Beta& law) {
+  const bool wide = std::min(law.a(), law.b()) < 0.1;  // chains: depths spread over n/2 values
+  return {wide ? Size{2048} : Size{4096}, 2048};       // 2.5 at a = b = 0.01, 2.2 at 0.1, 0.5 at 2; 0.7
+}
+Limit of_fraction(double p) {
+  const bool lopsided = std::min(p, 1 - p) < 0.01;     // depths spread over thousands of values
+  return {lopsided ? Size{4096} : Size{16384}, 4096};  // 0.6-1.4, 0.8; split 0.1, 0.2
+}
+Limit limit(const Dst& law) {
+  return of_fraction(law.p());
+}
+Limit limit(const Patricia& law) {
+  return of_fraction(law.p());
+}
+Limit limit(const FixedSplit& law) {
+  return of_fraction(law.x());
+}
 
 }  // namespace
 
 Size law_limit(const Model& model) {
-  return std::visit([](const auto& law) { return limit(law); }, model.law());
+  return std::visit([](const auto& law) { return limit(law).all_laws; }, model.law());
+}
+
+Size order_moments_limit(const Model& model) {
+  return std::visit([](const auto& law) { return limit(law).order_moments; }, model.law());
 }
 
 }  // namespace ramify

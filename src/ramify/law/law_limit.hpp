@@ -8,4 +8,7 @@ namespace ramify {
 /// (measured). A fixed function of the model, never timed: tables must not depend on the machine.
 Size law_limit(const Model& model);
 
+/// The largest n up to which OrderMoments take about 1 s on one core, besides; not above law_limit.
+Size order_moments_limit(const Model& model);
+
 }  // namespace ramify

@@ -28,6 +28,11 @@ void OrderMeans::extend(const SplitRow& row) {
   }
 }
 
+double OrderMeans::mean(Size n, OrderCount count) const {
+  const auto& counts = count.of == OrderCount::Of::nodes ? nodes_ : streams_;
+  return count.order < counts.size() ? counts[count.order][n] : 0;
+}
+
 std::vector<double> OrderMeans::at_size(const std::vector<SizeSeries>& counts, Size n) {
   std::vector<double> means;
   for (const SizeSeries& count : counts) means.push_back(count[n]);

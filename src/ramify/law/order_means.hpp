@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "ramify/law/order_count.hpp"
 #include "ramify/law/strahler_law.hpp"
 
 namespace ramify {
@@ -25,6 +26,9 @@ class OrderMeans {
 
   /// E M_k, k = 0..K.
   std::vector<double> streams(Size n) const { return at_size(streams_, n); }
+
+  /// E of one count; 0 for an order above K.
+  double mean(Size n, OrderCount count) const;
 
   const StrahlerLaw& strahler() const { return strahler_; }
 

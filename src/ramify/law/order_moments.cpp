@@ -9,7 +9,7 @@
 namespace ramify {
 
 OrderMoments::OrderMoments(const OrderMeans& means, Size largest_n)
-    : strahler_(&means.strahler()), top_(HortonStrahler::largest_order(largest_n)), born_(top_ + 1) {
+    : means_(&means), top_(HortonStrahler::largest_order(largest_n)), born_(top_ + 1) {
   RAMIFY_EXPECTS(means.sizes() > largest_n);
   const auto nodes = means.nodes(largest_n), streams = means.streams(largest_n);
   counts_.resize(2 * top_);
@@ -21,20 +21,26 @@ OrderMoments::OrderMoments(const OrderMeans& means, Size largest_n)
     count.slope = mean / static_cast<double>(largest_n + 1);
     count.by_order.resize(top_ + 2);
     count.below.resize(top_ + 1);
+    count.all.reserve(largest_n + 1);
+    for (auto* all_orders : {&count.by_order, &count.below})
+      for (SizeSeries& series : *all_orders) series.reserve(largest_n + 1);
     external[0] = -count.slope;
     append(count, external);
     second_[a].resize(a + 1);
-    for (std::size_t b = 0; b <= a; ++b) second_[a][b].append(count.slope * counts_[b].slope);
+    for (std::size_t b = 0; b <= a; ++b) {
+      second_[a][b].reserve(largest_n + 1);
+      second_[a][b].append(count.slope * counts_[b].slope);
+    }
   }
   sizes_ = 1;
 }
 
 const SizeSeries& OrderMoments::at(std::size_t order) const {
-  return strahler_->all_sizes(LawForm::at, static_cast<std::ptrdiff_t>(order));
+  return means_->strahler().all_sizes(LawForm::at, static_cast<std::ptrdiff_t>(order));
 }
 
 const SizeSeries& OrderMoments::below(std::size_t order) const {
-  return strahler_->all_sizes(LawForm::below, static_cast<std::ptrdiff_t>(order));
+  return means_->strahler().all_sizes(LawForm::below, static_cast<std::ptrdiff_t>(order));
 }
 
 void OrderMoments::append(Count& count, const std::vector<double>& by_order) {
@@ -72,7 +78,7 @@ double OrderMoments::root_product(std::size_t a, std::size_t b,
 }
 
 void OrderMoments::extend(const SplitRow& row) {
-  RAMIFY_EXPECTS(row.n == sizes_ && row.n < strahler_->sizes());
+  RAMIFY_EXPECTS(row.n == sizes_ && row.n < means_->strahler().sizes());
   for (std::size_t s = 1; s <= top_; ++s) born_[s] = over_children(row, at(s - 1), at(s - 1));
   std::vector<std::vector<Joined>> sums(counts_.size());
   for (std::size_t a = 0; a < counts_.size(); ++a)
@@ -98,13 +104,6 @@ void OrderMoments::extend(const SplitRow& row) {
 std::size_t OrderMoments::index(OrderCount count) const {
   RAMIFY_EXPECTS(count.order >= 1 && count.order <= top_);
   return count.order - 1 + (count.of == OrderCount::Of::streams ? top_ : 0);
-}
-
-double OrderMoments::mean(Size n, OrderCount count) const {
-  if (count.order == 0) return static_cast<double>(n + 1);
-  if (count.order > top_) return 0;
-  const Count& y = counts_[index(count)];
-  return y.all[n] + y.slope * static_cast<double>(n + 1);
 }
 
 double OrderMoments::covariance(Size n, OrderCount a, OrderCount b) const {

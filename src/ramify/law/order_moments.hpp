@@ -1,17 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "ramify/law/order_means.hpp"
 
 namespace ramify {
-
-/// A count of a tree: its nodes or its streams of one order, leaf order 0.
-struct OrderCount {
-  enum class Of { nodes, streams };
-  Of of;
-  std::size_t order;
-};
 
 /// Means, variances and covariances of the node and stream counts N_k, M_k of all orders, and their means
 /// given the order of the root.
@@ -33,8 +27,11 @@ class OrderMoments {
   /// Adds the size row.n == sizes() <= largest_n.
   void extend(const SplitRow& row);
 
-  double mean(Size n, OrderCount count) const;
+  double mean(Size n, OrderCount count) const { return means_->mean(n, count); }
   double covariance(Size n, OrderCount a, OrderCount b) const;
+
+  /// Not below 0, where rounding may leave the covariance of a count with itself.
+  double variance(Size n, OrderCount count) const { return std::max(0.0, covariance(n, count, count)); }
 
   /// E[X | S = order]; NaN where no tree of that size has that order.
   double mean_given_order(Size n, OrderCount count, std::size_t order) const;
@@ -62,7 +59,7 @@ class OrderMoments {
   const SizeSeries& at(std::size_t order) const;
   const SizeSeries& below(std::size_t order) const;
 
-  const StrahlerLaw* strahler_;
+  const OrderMeans* means_;
   std::size_t top_;  ///< K
   Size sizes_ = 0;
   std::vector<Count> counts_;                    ///< nodes 1..K, streams 1..K

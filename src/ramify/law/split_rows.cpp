@@ -78,8 +78,13 @@ void SplitRows::fold(Size n) {
   }
 }
 
+StoredSplitRows::StoredSplitRows(const Model& model)
+    : rows_(model),
+      keeps_(!std::holds_alternative<Bst>(model.law()) && !std::holds_alternative<Catalan>(model.law())) {}
+
 SplitRow StoredSplitRows::row(Size n) {
   RAMIFY_EXPECTS(n >= 1);
+  if (!keeps_) return rows_.row(n);
   while (places_.size() < n) {
     const SplitRow next = rows_.row(places_.size() + 1);
     places_.push_back({next.first, weights_.size()});

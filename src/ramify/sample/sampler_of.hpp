@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ramify/model/split_tree.hpp"
+#include "ramify/sample/graft_rule.hpp"
 #include "ramify/sample/graft_tables.hpp"
 #include "ramify/sample/tree_sampler.hpp"
 #include "ramify/tree/grow.hpp"
@@ -33,16 +34,14 @@ class SamplerOf final : public TreeSampler {
   /// What all clones read.
   struct Shared {
     Shared(const SamplerOrder& order, const Law& law)
-        : model(order.model),
-          method(order.method),
+        : rule(order.model, order.method),
           cancellation(order.cancellation),
-          grammar(law, method.graft ? grafted_table_size : SplitTree<Law>::default_table_size) {
-      const Size largest = graft_size(model, method, order.largest_n);
-      if (largest > 0) table = make_graft_table<F>(model, largest);
+          grammar(law, order.method.graft ? grafted_table_size : SplitTree<Law>::default_table_size) {
+      if (const Size largest = rule.size(order.largest_n); largest > 0)
+        table = make_graft_table<F>(order.model, largest);
     }
 
-    Model model;
-    SamplingMethod method;
+    GraftRule rule;
     const Cancellation* cancellation;
     SplitTree<Law> grammar;
     std::shared_ptr<const GraftTableOf<F>> table;  // nothing where nothing is grafted
@@ -52,7 +51,7 @@ class SamplerOf final : public TreeSampler {
       : shared_(std::move(shared)), grower_(*shared_->cancellation) {}
 
   typename F::Value root_value(Size n, Stream& stream, F& fold) {
-    const Size grafted = graft_size(shared_->model, shared_->method, n);
+    const Size grafted = shared_->rule.size(n);
     if (grafted == 0) return grower_(shared_->grammar, n, stream, fold);
     return grower_(shared_->grammar, n, stream, fold, Graft(*shared_->table, grafted));
   }

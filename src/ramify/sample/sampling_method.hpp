@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-
-#include "ramify/model/registry.hpp"
 #include "ramify/statistic/registry.hpp"
 
 namespace ramify {
@@ -32,19 +29,7 @@ inline constexpr SamplingMethod grow_lean{Pass::lean, false}, grow_full{Pass::fu
 /// grafts there are those two.
 SamplingMethod sampling_method(const StatisticSet& statistics, bool graft);
 
-/// Subtrees up to this size are drawn from their exact law in a tree of size n; 0 where every node is grown.
-///
-/// A fixed function of model, method and n, never of the clock or the machine. Trees below n = 1024 are grown
-/// whole. One statistic: the power of two at or below 8 sqrt(n), so that a table costs no more than a few
-/// trees, and no more than a limit at which tables take half a second. Several: 16 to 28 in the lean pass, 12
-/// in the full one, where the outcomes are still few (3,000 to 135,000).
-Size graft_size(const Model& model, SamplingMethod method, Size n);
-
-/// About as many nodes as are grown for a tree of size n: n, or n over half the graft size; for catalan n
-/// over the root of pi times it; for the walk its length.
-double grown_nodes(const Model& model, SamplingMethod method, Size n);
-
-/// "every node is grown", "strahler of subtrees up to n = 16384 drawn from the exact law".
-std::string describe(const Model& model, SamplingMethod method, Size n);
+/// What a pass folds: "strahler", "order, height and counts".
+std::string_view describe(Pass pass);
 
 }  // namespace ramify

@@ -2,32 +2,24 @@
 
 #include "ramify/theory/beta_balance.hpp"
 #include "ramify/theory/binary_split.hpp"
+#include "ramify/theory/make_constant.hpp"
 
 namespace ramify {
-namespace {
-
-std::optional<Constant> constant(const std::optional<Rounded>& rounded, const char* formula,
-                                 const char* source) {
-  if (!rounded) return std::nullopt;
-  return Constant{"balance", rounded->value, rounded->error, formula, source};
-}
-
-}  // namespace
 
 std::optional<Constant> balance_constant(const Model& model) {
   if (std::holds_alternative<Bst>(model.law()))
-    return constant(bst_balance(), "min over t > 1 of t/log(1 + (t-1) 2^t)",
-                    "Biggins 1978, docs/theory/balance.md; corrects theorem C.2 (C19)");
+    return make_constant("balance", bst_balance(), "min over t > 1 of t/log(1 + (t-1) 2^t)",
+                         "Biggins 1978, docs/theory/balance.md; corrects theorem C.2 (C19)");
   if (const auto beta = BetaSplit::of(model))
-    return constant(beta_balance(*beta),
-                    "min over t > 1 of t/theta, e^theta E[min(X,1-X)^t] + E[max(X,1-X)^t] = 1",
-                    "Biggins 1978, docs/theory/balance.md");
+    return make_constant("balance", beta_balance(*beta),
+                         "min over t > 1 of t/theta, e^theta E[min(X,1-X)^t] + E[max(X,1-X)^t] = 1",
+                         "Biggins 1978, docs/theory/balance.md");
   if (std::holds_alternative<Dst>(model.law())) return std::nullopt;
   const auto binary = BinarySplit::of(model);
   if (!binary) return std::nullopt;
   const bool fixed = std::holds_alternative<FixedSplit>(model.law());
-  return constant(round_to_double(-1 / log(binary->smaller), 1), "1/log(1/min(p,1-p))",
-                  fixed ? "the path of smaller children; C11" : "Kruszewski 1996, cor. B.2; C17");
+  return make_constant("balance", round_to_double(-1 / log(binary->smaller), 1), "1/log(1/min(p,1-p))",
+                       fixed ? "the path of smaller children; C11" : "Kruszewski 1996, cor. B.2; C17");
 }
 
 }  // namespace ramify

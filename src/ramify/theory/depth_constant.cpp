@@ -4,30 +4,25 @@
 
 #include "ramify/theory/beta_split.hpp"
 #include "ramify/theory/binary_split.hpp"
+#include "ramify/theory/make_constant.hpp"
 
 namespace ramify {
 namespace {
-
-std::optional<Constant> constant(const std::optional<Rounded>& rounded, const char* formula,
-                                 const char* source) {
-  if (!rounded) return std::nullopt;
-  return Constant{"depth", rounded->value, rounded->error, formula, source};
-}
 
 std::optional<Constant> of_beta(const BetaSplit& split) {
   using boost::math::digamma;
   const Precise a = split.a, b = split.b;
   const Precise at_root = digamma(a + b + 1);
   const Precise mu = at_root - (a * digamma(a + 1) + b * digamma(b + 1)) / (a + b);
-  return constant(round_to_double(1 / mu, (1 + abs(at_root)) / mu),
-                  "1/mu, mu = psi(a+b+1) - (a psi(a+1) + b psi(b+1))/(a+b)", "Devroye 1998; C6");
+  return make_constant("depth", round_to_double(1 / mu, (1 + abs(at_root)) / mu),
+                       "1/mu, mu = psi(a+b+1) - (a psi(a+1) + b psi(b+1))/(a+b)", "Devroye 1998; C6");
 }
 
 std::optional<Constant> of_binary(const BinarySplit& split) {
   const Precise p = split.smaller, q = split.larger();
   const Precise entropy = -p * log(p) - q * log1p(-p);
-  return constant(round_to_double(1 / entropy, 1), "1/(p log(1/p) + q log(1/q)), q = 1-p",
-                  "Devroye 1998; C6");
+  return make_constant("depth", round_to_double(1 / entropy, 1), "1/(p log(1/p) + q log(1/q)), q = 1-p",
+                       "Devroye 1998; C6");
 }
 
 }  // namespace

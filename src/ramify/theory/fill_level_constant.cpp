@@ -4,15 +4,10 @@
 
 #include "ramify/theory/binary_split.hpp"
 #include "ramify/theory/log_moment.hpp"
+#include "ramify/theory/make_constant.hpp"
 
 namespace ramify {
 namespace {
-
-std::optional<Constant> constant(const std::optional<Rounded>& rounded, const char* formula,
-                                 const char* source) {
-  if (!rounded) return std::nullopt;
-  return Constant{"fill_level", rounded->value, rounded->error, formula, source};
-}
 
 std::optional<Constant> of_beta(const BetaSplit& split) {
   if (!LogMoment::reaches(split)) return std::nullopt;
@@ -25,12 +20,13 @@ std::optional<Constant> of_beta(const BetaSplit& split) {
     from_pole /= 2;
   }
   const Precise t = log_moment.tangent_point(pole + from_pole, high);
-  return constant(round_to_double(-t / log_moment(t), log_moment.cancelled(t)),
-                  "max over t < 0 of (-t)/log M(t), M(t) = E[X^t + (1-X)^t]", "Devroye 1986; C18");
+  return make_constant("fill_level", round_to_double(-t / log_moment(t), log_moment.cancelled(t)),
+                       "max over t < 0 of (-t)/log M(t), M(t) = E[X^t + (1-X)^t]", "Devroye 1986; C18");
 }
 
 std::optional<Constant> of_binary(const BinarySplit& split, const char* source) {
-  return constant(round_to_double(-1 / log(split.smaller), 1), "1/log(1/min(p,1-p))", source);
+  return make_constant("fill_level", round_to_double(-1 / log(split.smaller), 1), "1/log(1/min(p,1-p))",
+                       source);
 }
 
 }  // namespace

@@ -2,15 +2,10 @@
 
 #include "ramify/theory/binary_split.hpp"
 #include "ramify/theory/log_moment.hpp"
+#include "ramify/theory/make_constant.hpp"
 
 namespace ramify {
 namespace {
-
-std::optional<Constant> constant(const std::optional<Rounded>& rounded, const char* formula,
-                                 const char* source) {
-  if (!rounded) return std::nullopt;
-  return Constant{"height", rounded->value, rounded->error, formula, source};
-}
 
 std::optional<Constant> of_beta(const BetaSplit& split) {
   if (!LogMoment::reaches(split)) return std::nullopt;
@@ -22,12 +17,14 @@ std::optional<Constant> of_beta(const BetaSplit& split) {
     high *= 2;
   }
   const Precise t = log_moment.tangent_point(low, high);
-  return constant(round_to_double(-t / log_moment(t), log_moment.cancelled(t)),
-                  "min over t > 1 of t/(-log M(t)), M(t) = E[X^t + (1-X)^t]", "Devroye 1986, Reed 2003; C7");
+  return make_constant("height", round_to_double(-t / log_moment(t), log_moment.cancelled(t)),
+                       "min over t > 1 of t/(-log M(t)), M(t) = E[X^t + (1-X)^t]",
+                       "Devroye 1986, Reed 2003; C7");
 }
 
 std::optional<Constant> of_binary(const BinarySplit& split) {
-  return constant(round_to_double(-1 / log1p(-split.smaller), 1), "1/log(1/max(p,1-p))", "Pittel 1985; C7");
+  return make_constant("height", round_to_double(-1 / log1p(-split.smaller), 1), "1/log(1/max(p,1-p))",
+                       "Pittel 1985; C7");
 }
 
 }  // namespace

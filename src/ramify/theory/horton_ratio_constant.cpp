@@ -3,37 +3,31 @@
 #include "ramify/theory/beta_horton_ratio.hpp"
 #include "ramify/theory/binary_split.hpp"
 #include "ramify/theory/bst_horton_ratio.hpp"
+#include "ramify/theory/make_constant.hpp"
 
 namespace ramify {
-namespace {
-
-std::optional<Constant> constant(const std::optional<Rounded>& rounded, const char* formula,
-                                 const char* source) {
-  if (!rounded) return std::nullopt;
-  return Constant{"horton_ratio", rounded->value, rounded->error, formula, source};
-}
-
-}  // namespace
 
 std::optional<Constant> horton_ratio_constant(const Model& model) {
   if (std::holds_alternative<Catalan>(model.law()))
-    return constant(Rounded{4, 0}, "4, ratio of streams (nodes: 2)", "Moon 1980; C22, C23");
+    return make_constant("horton_ratio", Rounded{4, 0}, "4, ratio of streams (nodes: 2)",
+                         "Moon 1980; C22, C23");
   if (std::holds_alternative<Bst>(model.law()))
-    return constant(
-        bst_horton_ratio(),
+    return make_constant(
+        "horton_ratio", bst_horton_ratio(),
         "lim nu_(k-1)/nu_k, nu_k = integral of e^-t (D_(k-2) - D_(k-1))^2, D_k' = D_k (1 - D_k) + (D_(k-1) - "
         "D_k)^2; ratio of streams",
         "Kovchegov, Zaliapin 2017; against C20; docs/theory/horton-ratio.md");
   if (const auto beta = BetaSplit::of(model))
-    return constant(beta_horton_ratio(*beta),
-                    "e^c, c the speed of the wave P(S_n > k) = psi(log n - c k); ratio of streams",
-                    "derived in docs/theory/horton-ratio.md");
+    return make_constant("horton_ratio", beta_horton_ratio(*beta),
+                         "e^c, c the speed of the wave P(S_n > k) = psi(log n - c k); ratio of streams",
+                         "derived in docs/theory/horton-ratio.md");
   if (std::holds_alternative<Dst>(model.law())) return std::nullopt;
   const auto binary = BinarySplit::of(model);
   if (!binary) return std::nullopt;
   const bool fixed = std::holds_alternative<FixedSplit>(model.law());
-  return constant(
-      round_to_double(1 / binary->smaller, 1), "1/min(p,1-p), ratio of streams as the order grows",
+  return make_constant(
+      "horton_ratio", round_to_double(1 / binary->smaller, 1),
+      "1/min(p,1-p), ratio of streams as the order grows",
       fixed ? "Kruszewski 1996, fact 3.3; C10, C11" : "Devroye, Kruszewski 1996, theorem B.3; C17");
 }
 

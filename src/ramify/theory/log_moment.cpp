@@ -10,7 +10,6 @@
 namespace ramify {
 
 using boost::math::digamma;
-using boost::math::lgamma;
 
 LogMoment::LogMoment(const BetaSplit& split) : a_(split.a), b_(split.b) {
   const Precise both = lgamma(a_ + b_);

@@ -2,6 +2,7 @@
 
 #include "ramify/theory/beta_split.hpp"
 #include "ramify/theory/binary_split.hpp"
+#include "ramify/theory/make_constant.hpp"
 
 namespace ramify {
 
@@ -10,9 +11,8 @@ std::optional<Constant> split_variance(const Model& model) {
   const auto beta = BetaSplit::of(model);
   if (!beta) return std::nullopt;
   const Precise a = beta->a, b = beta->b;
-  const auto variance = round_to_double(a / (a + b) * (b / (a + b)) / (a + b + 1), 1);
-  if (!variance) return std::nullopt;
-  return Constant{"split_variance", variance->value, variance->error, "ab/((a+b)^2 (a+b+1))", "C8"};
+  return make_constant("split_variance", round_to_double(a / (a + b) * (b / (a + b)) / (a + b + 1), 1),
+                       "ab/((a+b)^2 (a+b+1))", "C8");
 }
 
 }  // namespace ramify

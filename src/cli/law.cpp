@@ -1,0 +1,56 @@
+#include <limits>
+#include <memory>
+
+#include "session.hpp"
+
+#include "ramify/core/physical_memory.hpp"
+#include "ramify/experiment/law_table.hpp"
+#include "ramify/io/size_list.hpp"
+
+namespace ramify::cli {
+namespace {
+
+struct Options {
+  std::string model, n, statistic, output;
+  bool moments = false, covariances = false, yes = false;
+
+  LawQuantity quantity() const {
+    if (moments) return LawQuantity::moments;
+    return covariances ? LawQuantity::covariances : LawQuantity::law;
+  }
+};
+
+ExitCode law(const Options& options, const Cancellation& cancellation) {
+  const LawRequest request{Model::parse(options.model), options.statistic, options.quantity(),
+                           read_sizes("--n", options.n)};
+  const double seconds = options.yes ? std::numeric_limits<double>::infinity() : long_law_seconds;
+  require_computable(request, {physical_memory(), seconds});
+  emit(law_table(request, cancellation), options.output);
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void add_law(CLI::App& app, Session& session) {
+  auto options = std::make_shared<Options>();
+  auto* verb = app.add_subcommand(
+      "law", "Exact law of a statistic at finite n, computed without sampling: probabilities right to 1e-15");
+  verb->add_option("--model", options->model,
+                   "model, such as bst or \"beta(10,80)\"; see: ramify list models")
+      ->required();
+  verb->add_option("--n", options->n, "sizes: N[,N..], or from:to:count, a geometric grid")->required();
+  verb->add_option("--statistic", options->statistic,
+                   "strahler, height, depth, fill_level, balance, or orders: mean nodes and streams by order")
+      ->required();
+  auto* moments = verb->add_flag("--moments", options->moments,
+                                 "mean and variance; of orders: of the nodes and streams of every order");
+  verb->add_flag("--covariances", options->covariances, "of orders: of every two counts")->excludes(moments);
+  verb->add_flag("--yes", options->yes, "allow more than an hour");
+  verb->add_option("-o,--output", options->output, "write the table to this file, in one step");
+  verb->footer("Example: ramify law --model \"patricia(1/4.35)\" --n 579 --statistic strahler");
+  verb->callback([&session, options] {
+    session.work = [&session, options] { return law(*options, session.cancellation); };
+  });
+}
+
+}  // namespace ramify::cli

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string_view>
+
+#include "ramify/tree/grammar.hpp"
+
+namespace ramify {
+
+/// "1000", "1e6", "2^20", "1_000_000"; throws Error for anything but a whole number from 0 to 2^62.
+///
+/// @param what  names the option in the message: "--n"
+Size read_count(std::string_view what, std::string_view text);
+
+}  // namespace ramify

@@ -1,0 +1,129 @@
+#include "ramify/law/law_width.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+#include <boost/math/special_functions/gamma.hpp>
+
+namespace ramify {
+namespace {
+
+using boost::math::lgamma;  // std::lgamma writes to a global
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double log_negligible = 46;  // -log 1e-20
+constexpr double spread = 10;  // values by which whole sizes widen what a constant fraction would give
+constexpr double catalan_reach = 13.6;  // 2 sqrt(46)
+
+/// log(x + y).
+double log_sum(double log_x, double log_y) {
+  return std::max(log_x, log_y) + std::log1p(std::exp(-std::abs(log_x - log_y)));
+}
+
+/// The limiting split fraction X of a model: beta(a,b), or a constant.
+class Fraction {
+ public:
+  explicit Fraction(double constant) : constant_(constant) {}
+
+  /// Log-gammas of large parameters cancel, but such an X is as good as constant.
+  Fraction(double a, double b) : is_constant_(a + b > 1e6), a_(a), b_(b), constant_(a / (a + b)) {}
+
+  /// log E[X^t + (1-X)^t], t > -pole().
+  double log_moment(double t) const {
+    if (is_constant_) return log_sum(t * std::log(constant_), t * std::log1p(-constant_));
+    const double whole = lgamma(a_ + b_) - lgamma(a_ + b_ + t);
+    return whole + log_sum(lgamma(a_ + t) - lgamma(a_), lgamma(b_ + t) - lgamma(b_));
+  }
+
+  /// log n, up to where a step to the larger child takes off more than one node.
+  double log_steps(double n) const {
+    return is_constant_ ? std::log1p(2 * n * std::min(constant_, 1 - constant_)) : std::log(n);
+  }
+
+  double pole() const { return is_constant_ ? infinity : std::min(a_, b_); }
+
+ private:
+  bool is_constant_ = true;
+  double a_ = 0, b_ = 0;
+  double constant_;
+};
+
+Fraction fraction(const Bst&) {
+  return {1, 1};
+}
+Fraction fraction(const Beta& law) {
+  return {law.a(), law.b()};
+}
+Fraction fraction(const FixedSplit& law) {
+  return Fraction(law.x());
+}
+Fraction fraction(const Dst& law) {
+  return Fraction(law.p());
+}
+Fraction fraction(const Patricia& law) {
+  return Fraction(law.p());
+}
+
+/// Over t = 0.001..1000.
+template <class F>
+double least(F f) {
+  double best = infinity;
+  for (int i = -60; i <= 60; ++i) best = std::fmin(best, f(std::pow(10, i / 20.0)));
+  return best;
+}
+
+/// Where the best of the bounds n^(more + t) M(1+t)^h of a tail falls to e^-decay.
+double reach(const Fraction& x, double log_n, double decay, double more) {
+  return least([&](double t) {
+    const double fall = -x.log_moment(1 + t);
+    return fall > 0 ? ((more + t) * log_n + decay) / fall : infinity;
+  });
+}
+
+double depths(const Fraction& x, double n) {
+  const double log_n = x.log_steps(n);
+  const double high = std::min(n, reach(x, log_n, log_negligible, 0));
+  const double low = -least([&](double u) {
+    const double rise = u < 1 + x.pole() ? x.log_moment(1 - u) : 0;
+    return rise > 0 ? (log_negligible - u * log_n) / rise : 0;
+  });
+  return high - std::max(0.0, low);
+}
+
+double heights(const Fraction& x, double n) {
+  const double log_n = x.log_steps(n);
+  const double high = std::min(n, reach(x, log_n, log_negligible, 1));
+  // Trees that are nearly chains have low heights too.
+  const double low = std::min(n / 3, 0.8 * reach(x, log_n, 0, 1));
+  return high - low;
+}
+
+/// depths or heights of a model, for models that have a fraction.
+template <class OfFraction>
+double width(const Model& model, Size size, OfFraction of_fraction) {
+  const double n = std::max(2.0, static_cast<double>(size));
+  const double values = std::visit(
+      [&]<class Law>(const Law& law) {
+        if constexpr (std::is_same_v<Law, Catalan>)
+          return catalan_reach * std::sqrt(n);
+        else
+          return of_fraction(fraction(law), n);
+      },
+      model.law());
+  return std::clamp(values + spread, 1.0, n);
+}
+
+}  // namespace
+
+double depth_width(const Model& model, Size n) {
+  return width(model, n, depths);
+}
+
+double height_width(const Model& model, Size n) {
+  if (std::holds_alternative<FixedSplit>(model.law())) return 1;
+  return width(model, n, heights);
+}
+
+}  // namespace ramify

@@ -1,0 +1,74 @@
+#include "ramify/sample/graft_rule.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "ramify/law/law_cost.hpp"
+
+namespace ramify {
+namespace {
+
+constexpr Size smallest_grafted = 1024;
+constexpr LawCost table_cost{64e6, 0.5};
+
+Size largest_table(const Model& model, Pass pass) {
+  switch (pass) {
+    case Pass::depth:
+      return 0;
+    case Pass::full:
+      return 12;
+    case Pass::lean:
+      return 28;
+    case Pass::height:
+      return std::bit_floor(largest_affordable(model, LawKind::height, table_cost));
+    case Pass::strahler:
+    case Pass::fill_level:
+    case Pass::balance:
+      break;
+  }
+  return std::bit_floor(largest_affordable(model, LawKind::bounded, table_cost));
+}
+
+/// The tables grow by a factor of 5 from step to step: more trees must pay for them.
+Size lean_graft(Size n) {
+  if (n < Size{1} << 16) return 16;
+  if (n < Size{1} << 22) return 20;
+  return n < Size{1} << 28 ? 26 : 28;
+}
+
+Size single_graft(Size n) {
+  return std::bit_floor(static_cast<Size>(8 * std::sqrt(static_cast<double>(n))));
+}
+
+}  // namespace
+
+GraftRule::GraftRule(const Model& model, SamplingMethod method)
+    : method_(method),
+      largest_(method.graft ? largest_table(model, method.pass) : 0),
+      square_root_(std::holds_alternative<Catalan>(model.law())) {}
+
+Size GraftRule::size(Size n) const {
+  if (n < smallest_grafted) return 0;
+  return std::min(largest_, method_.pass == Pass::lean ? lean_graft(n) : single_graft(n));
+}
+
+double GraftRule::grown_nodes(Size n) const {
+  const double nodes = static_cast<double>(n);
+  if (method_.pass == Pass::depth) return square_root_ ? std::sqrt(nodes) : std::log2(nodes + 2);
+  const double grafted = static_cast<double>(size(n));
+  if (grafted == 0) return nodes;
+  return square_root_ ? nodes / std::sqrt(std::numbers::pi * grafted) : 2 * nodes / grafted;
+}
+
+std::string GraftRule::describe(Size n) const {
+  if (method_.pass == Pass::depth) return "the walk to the last node alone";
+  if (size(n) == 0) return "every node is grown";
+  return fmt::format("{} of subtrees up to n = {} drawn from the exact law", ramify::describe(method_.pass),
+                     size(n));
+}
+
+}  // namespace ramify

@@ -1,0 +1,179 @@
+// ramify law: its tables, its stopping, and what it takes in memory.
+#include <cctype>
+#include <initializer_list>
+
+#include "program.hpp"
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <spawn.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "ramify/law/law_cost.hpp"
+
+namespace ramify::test {
+namespace {
+
+TEST(Law, PrintsEveryValueThatHasAProbability) {
+  EXPECT_EQ(ramify("law --model bst --n 0,1,3 --statistic strahler").out,
+            "model,n,statistic,value,probability\n"
+            "bst,0,strahler,0,1\n"
+            "bst,1,strahler,1,1\n"
+            "bst,3,strahler,1,0.6666666666666666\n"
+            "bst,3,strahler,2,0.3333333333333333\n");
+}
+
+TEST(Law, PrintsTheMeanCountsOfOrders) {
+  EXPECT_EQ(ramify("law --model 'split(0.25)' --n 15 --statistic orders").out,
+            "model,n,leaf_order,order,mean_nodes,mean_streams\n"
+            "split(0.25),15,0,0,16,16\n"
+            "split(0.25),15,0,1,11,5\n"
+            "split(0.25),15,0,2,4,1\n"
+            "split(0.25),15,0,3,0,0\n"
+            "split(0.25),15,0,4,0,0\n");  // catalogue A6
+}
+
+TEST(Law, OutputFileIsTheTable) {
+  const Scratch scratch;
+  const std::string what = "law --model 'beta(1,5)' --n 10:100:3 --statistic height --moments";
+  const Ran ran = ramify(what + " -o " + (scratch / "law.csv").string());
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  EXPECT_EQ(ran.out, "");
+  EXPECT_EQ(read_file(scratch / "law.csv"), ramify(what).out);
+}
+
+TEST(Law, StopsBetweenSizesAndWritesNothing) {
+  const Scratch scratch;
+  const std::string file = (scratch / "law.csv").string();
+  const Ran stopped =
+      shell(std::string(RAMIFY_PROGRAM) + " law --model bst --n 2e5 --statistic orders --yes -o " + file +
+            " & sleep 0.5; kill -INT $!; wait $!");
+  EXPECT_EQ(stopped.code, 130) << stopped.err;
+  EXPECT_EQ(stopped.err, "ramify: interrupted\n");
+  EXPECT_FALSE(std::filesystem::exists(file));
+}
+
+TEST(Law, YesAllowsALongOne) {
+  const Ran ran =
+      shell(std::string(RAMIFY_PROGRAM) +
+            " law --model bst --n 5e5 --statistic depth --yes & sleep 0.3; kill -INT $!; wait $!");
+  EXPECT_EQ(ran.code, 130) << ran.err;
+}
+
+/// "beta(0.1,0.1)", "depth", "4096" -> "beta_0_1_0_1_depth_4096": what gtest takes for a name.
+std::string name_of(std::initializer_list<std::string> parts) {
+  std::string name;
+  for (const auto& part : parts) {
+    for (const char c : part + '_') {
+      const bool letter = std::isalnum(static_cast<unsigned char>(c)) != 0;
+      if (letter || (!name.empty() && name.back() != '_')) name += letter ? c : '_';
+    }
+  }
+  name.pop_back();
+  return name;
+}
+
+/// Peak memory of the program, in bytes.
+double peak_memory(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), RAMIFY_PROGRAM);
+  std::vector<char*> argv;
+  for (auto& argument : arguments) argv.push_back(argument.data());
+  argv.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  pid_t child = 0;
+  EXPECT_EQ(posix_spawn(&child, argv[0], &actions, nullptr, argv.data(), environ), 0);
+  posix_spawn_file_actions_destroy(&actions);
+  int status = 0;
+  rusage usage{};
+  EXPECT_EQ(wait4(child, &status, 0, &usage), child);
+  EXPECT_EQ(status, 0) << arguments[2];
+  return static_cast<double>(usage.ru_maxrss) * 1024;
+}
+
+struct Built {
+  const char* model;
+  const char* statistic;
+  const char* table;  ///< an option, or ""
+  LawKind kind;
+  Size n;
+};
+
+class LawMemory : public testing::TestWithParam<Built> {};
+
+TEST_P(LawMemory, IsEstimatedToAFactorOfTwo) {
+  const auto& [model, statistic, table, kind, largest] = GetParam();
+  const auto used = [&](Size n) {
+    std::vector<std::string> arguments{"law",         "--model", model, "--n", std::to_string(n),
+                                       "--statistic", statistic};
+    if (*table != '\0') arguments.emplace_back(table);
+    return peak_memory(arguments);
+  };
+  const double taken = used(largest) - used(1);
+  const double estimate = law_cost(Model::parse(model), kind, largest).bytes;
+  EXPECT_GT(estimate, taken / 2);
+  EXPECT_LT(estimate, taken * 2);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    EveryLaw, LawMemory,
+    testing::Values(Built{"bst", "strahler", "--moments", LawKind::bounded, 16384},
+                    Built{"patricia(0.5)", "balance", "--moments", LawKind::bounded, 32768},
+                    Built{"beta(2,2)", "fill_level", "--moments", LawKind::bounded, 8192},
+                    Built{"bst", "height", "--moments", LawKind::height, 8192},
+                    Built{"catalan", "height", "--moments", LawKind::height, 4096},
+                    Built{"beta(0.01,0.01)", "height", "--moments", LawKind::height, 2048},
+                    Built{"dst(0.02)", "height", "--moments", LawKind::height, 16384},
+                    Built{"bst", "depth", "--moments", LawKind::depth, 8192},
+                    Built{"beta(0.1,0.1)", "depth", "--moments", LawKind::depth, 4096},
+                    Built{"patricia(0.23)", "depth", "--moments", LawKind::depth, 16384},
+                    Built{"split(0.01)", "depth", "--moments", LawKind::depth, 16384},
+                    Built{"dst(0.3)", "orders", "", LawKind::order_means, 16384},
+                    Built{"split(0.25)", "orders", "--moments", LawKind::order_moments, 4096},
+                    Built{"catalan", "orders", "--covariances", LawKind::order_moments, 1024}),
+    [](const auto& test) {
+      return name_of(
+          {test.param.model, test.param.statistic, test.param.table, std::to_string(test.param.n)});
+    });
+
+struct Value {
+  const char* model;
+  const char* n;
+  const char* statistic;
+  double mean;
+  double digits;  ///< half a unit of the last one printed
+};
+
+class LargeLaw : public testing::TestWithParam<Value> {};
+
+// Exact values that others computed, at sizes that take seconds. Smaller ones:
+// tests/exact/known_values_test.cpp.
+TEST_P(LargeLaw, HasTheKnownMean) {
+  const auto& [model, n, statistic, mean, digits] = GetParam();
+  std::ostringstream command;
+  command << "law --model '" << model << "' --n " << n << " --statistic " << statistic << " --moments";
+  const Ran ran = ramify(command.str());
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const std::string key = std::string(",") + statistic + ",";
+  const auto place = ran.out.rfind(key);
+  ASSERT_NE(place, std::string::npos) << ran.out;
+  EXPECT_NEAR(std::stod(ran.out.substr(place + key.size())), mean, digits) << ran.out;
+}
+
+INSTANTIATE_TEST_SUITE_P(Known, LargeLaw,
+                         testing::Values(Value{"bst", "65536", "strahler", 10.062157766249, 5e-13},
+                                         Value{"bst", "65536", "fill_level", 5.97217, 5e-6},
+                                         Value{"bst", "65536", "balance", 10.868658, 5e-7},
+                                         Value{"bst", "32768", "height", 36.0351294226 + 1, 5e-11},
+                                         Value{"patricia(0.23)", "131072", "fill_level", 8.0735, 5e-5},
+                                         Value{"patricia(0.23)", "131072", "strahler", 9.0003, 5e-5},
+                                         Value{"patricia(0.23)", "131072", "balance", 9.0215, 5e-5},
+                                         Value{"patricia(1/2)", "131072", "fill_level", 13.9854, 5e-5}),
+                         [](const auto& test) {
+                           return name_of({test.param.model, test.param.statistic, test.param.n});
+                         });
+
+}  // namespace
+}  // namespace ramify::test

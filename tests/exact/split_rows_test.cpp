@@ -1,0 +1,55 @@
+#include "ramify/law/split_rows.hpp"
+
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace ramify {
+namespace {
+
+// The rows of a law are its pmf, folded: for beta that holds the quadrature against the incomplete betas.
+TEST(SplitRows, AreTheFoldedPmf) {
+  for (const char* text : {"bst", "catalan", "split(0.25)", "dst(0.23)", "patricia(0.77)", "patricia(1e-9)",
+                           "beta(2,2)", "beta(0.01,0.01)", "beta(10,80)", "beta(0.3,5)", "beta(1000,1000)"}) {
+    const Model model = Model::parse(text);
+    SplitRows rows(model);
+    for (const Size n : {1u, 2u, 3u, 17u, 100u, 1001u}) {
+      const auto row = rows.row(n);
+      auto pmf = n == 1 ? std::vector<double>{1}
+                        : std::visit([n](const auto& law) { return law.pmf(n); }, model.law());
+      for (Size i = (n + 1) / 2; i < n; ++i) pmf[n - 1 - i] += pmf[i];
+      long double sum = 0;
+      for (std::size_t m = 0; m < row.weights.size(); ++m) {
+        sum += row.weights[m];
+        const double truth = pmf[row.smaller(m)];
+        if (truth <= 1e-15) continue;
+        EXPECT_NEAR(row.weights[m] / truth, 1, 1e-10) << text << " n = " << n << " m = " << m;
+      }
+      EXPECT_NEAR(static_cast<double>(sum), 1, 1e-14) << text << " n = " << n;
+    }
+  }
+}
+
+// Several passes over kept rows read what one pass computed, whether the model keeps them or not.
+TEST(StoredSplitRows, AreTheRows) {
+  for (const char* text : {"bst", "catalan", "beta(2,5)", "dst(0.3)"}) {
+    const Model model = Model::parse(text);
+    SplitRows rows(model);
+    StoredSplitRows stored(model);
+    for (int pass = 0; pass < 2; ++pass) {
+      for (Size n = 1; n <= 60; ++n) {
+        const auto row = rows.row(n), kept = stored.row(n);
+        EXPECT_EQ(kept.n, n);
+        EXPECT_EQ(kept.first, row.first) << text << ' ' << n;
+        EXPECT_EQ(std::vector<double>(kept.weights.begin(), kept.weights.end()),
+                  std::vector<double>(row.weights.begin(), row.weights.end()))
+            << text << ' ' << n;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace ramify
