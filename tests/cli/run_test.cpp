@@ -45,8 +45,8 @@ TEST(Run, AnotherSeedGivesAnotherTable) {
 
 TEST(Run, SevenThreadsReallyRun) {
   const Scratch scratch;
-  const std::string config =
-      scratch.file("long.toml", "models=[\"bst\"]\nn=[100000]\nreplicates=3000\nstatistics=[\"height\"]\ngraft=false\n");
+  const std::string config = scratch.file(
+      "long.toml", "models=[\"bst\"]\nn=[100000]\nreplicates=3000\nstatistics=[\"height\"]\ngraft=false\n");
   const Ran ran =
       shell(std::string(RAMIFY_PROGRAM) + " run " + config + " --threads 7 --out " +
             (scratch / "o").string() + " & sleep 0.7; ls /proc/$!/task | wc -l; kill -INT $!; wait $!; true");
@@ -74,7 +74,8 @@ TEST(Run, IsSilentOnStandardErrorWhenPipedExceptForItsClosingLines) {
 TEST(Run, StoppedRunKeepsCompleteCellsAndResumesToTheSameBytes) {
   const Scratch scratch;
   const std::string text =
-      "models=[\"bst\"]\nn=[100, 1000, 3000000]\nreplicates=100\nstatistics=[\"strahler\",\"streams\"]\n";
+      "models=[\"bst\"]\nn=[100, 1000, 3000000]\nreplicates=100\nstatistics=[\"strahler\",\"streams\"]\n"
+      "graft=false\n";
   const std::string config = scratch.file("slow.toml", text);
   const std::string out = (scratch / "o").string();
   const Ran stopped = shell(std::string(RAMIFY_PROGRAM) + " run " + config + " --threads 2 --out " + out +

@@ -13,7 +13,7 @@ namespace ramify {
 namespace {
 
 constexpr Size smallest_grafted = 1024;
-constexpr LawCost table_cost{64e6, 0.5};
+constexpr LawCost table_cost{64e6, 1};
 
 Size largest_table(const Model& model, Pass pass) {
   switch (pass) {

@@ -12,7 +12,7 @@ namespace ramify {
 ///
 /// Trees below n = 1024 are grown whole. One statistic: subtrees up to the power of two at or below 8
 /// sqrt(n), so that a table costs no more than a few trees, and no further than its law is estimated to take
-/// half a second and 64 MB (law_cost.hpp): 16384 for the order of a bst. Several at once: up to 16 to 28 in
+/// a second and 64 MB (law_cost.hpp): 16384 for the order of a bst. Several at once: up to 16 to 28 in
 /// the lean pass and 12 in the full one, where the outcomes are still few (3,000 to 135,000).
 class GraftRule {
  public:

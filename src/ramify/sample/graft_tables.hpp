@@ -8,7 +8,7 @@
 namespace ramify {
 
 /// The graft table of a fold, sizes 0..largest: from the statistic's own law where the fold is one statistic,
-/// from the generic engine where it is a joint one. Half a second at most for the sizes of graft_size.
+/// from the generic engine where it is a joint one. A second or so for the sizes of GraftRule.
 template <class F>
 std::shared_ptr<const GraftTableOf<F>> make_graft_table(const Model& model, Size largest);
 

@@ -32,7 +32,7 @@ struct SamplerOrder {
   const Cancellation* cancellation;  ///< must outlive the sampler
 };
 
-/// Computes the tables that the method grafts from: half a second at most (graft_tables.hpp).
+/// Computes the tables that the method grafts from: a second or so at most (graft_rule.hpp).
 std::unique_ptr<TreeSampler> make_tree_sampler(const SamplerOrder& order);
 
 }  // namespace ramify
