@@ -1,9 +1,14 @@
+#include <algorithm>
+#include <array>
+
 #include "claim.hpp"
 #include "session.hpp"
 
 #include "ramify/core/nearest_name.hpp"
+#include "ramify/experiment/law_request.hpp"
 #include "ramify/io/csv_writer.hpp"
 #include "ramify/model/registry.hpp"
+#include "ramify/sample/sampling_method.hpp"
 #include "ramify/statistic/registry.hpp"
 
 namespace ramify::cli {
@@ -13,15 +18,33 @@ std::string model_table() {
   CsvTable table({"name", "n_counts", "domain", "description", "sampled", "source"});
   for (const auto& info : models())
     table.add({info.signature(), std::string(info.n_counts), std::string(info.domain),
-               std::string(info.description), "streamed", std::string(info.source)});
+               std::string(info.description), "exact laws; grafted", std::string(info.source)});
   return table.text();
 }
 
+/// What is known without sampling, and how large trees are sampled.
+std::string sampling_of(const StatisticInfo& info) {
+  if (info.measure == Measure::size) return "known";
+  const auto& laws = law_statistics();
+  const bool has_law = std::find(laws.begin(), laws.end(), info.name) != laws.end();
+  const std::string known = has_law ? "exact law; " : info.per_order ? "exact moments; " : "";
+  const std::array<std::string, 1> alone{std::string(info.name)};
+  switch (sampling_method(StatisticSet::parse(alone), true).pass) {
+    case Pass::lean:
+    case Pass::full:
+      return known + "grafted with others";
+    case Pass::depth:
+      return known + "walked alone, grafted with others";
+    default:
+      return known + "grafted alone or with others";
+  }
+}
+
 std::string statistic_table() {
-  CsvTable table({"name", "columns", "convention", "description", "source"});
+  CsvTable table({"name", "columns", "convention", "description", "sampled", "source"});
   for (const auto& info : statistics())
     table.add({std::string(info.name), info.columns(), std::string(info.convention),
-               std::string(info.description), std::string(info.source)});
+               std::string(info.description), sampling_of(info), std::string(info.source)});
   return table.text();
 }
 

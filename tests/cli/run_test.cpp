@@ -64,6 +64,17 @@ TEST(Run, ProvenanceSaysHowTheTableWasMade) {
               provenance.contains("duration_seconds"));
 }
 
+TEST(Run, ProvenanceSaysWhatWasGrafted) {
+  const Scratch scratch;
+  const std::string config = scratch.file(
+      "order.toml", "models=[\"bst\"]\nn=[1000, 1024]\nreplicates=5\nstatistics=[\"strahler\"]\n");
+  const Ran ran = ramify("run " + config + " --out " + (scratch / "o").string());
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const auto sampled = nlohmann::json::parse(read_file(scratch / "o/order/provenance.json")).at("sampled");
+  EXPECT_EQ(sampled.at(0).at("method"), "every node is grown");
+  EXPECT_EQ(sampled.at(1).at("method"), "strahler of subtrees up to n = 256 drawn from the exact law");
+}
+
 TEST(Run, IsSilentOnStandardErrorWhenPipedExceptForItsClosingLines) {
   const Scratch scratch;
   const std::string config = scratch.file("small.toml", small_config);

@@ -30,6 +30,40 @@ TEST(Sample, TreesOfParensAreTheTreesOfTheStatistics) {
   EXPECT_EQ(line(counts.out, 2), "split(0.25),15,1996,0,15,2,8,16,11,4,0,0,16,5,1,0,0");
 }
 
+TEST(Sample, TreesOfParensAreThoseGrownWithoutGrafts) {
+  for (const std::string model : {"bst", "'patricia(0.23)'", "'beta(2,3)'", "catalan"}) {
+    const std::string what = "sample --model " + model + " --n 3000 --replicate 2 ";
+    const std::string word = ramify(what + "--format parens").out;
+    std::size_t height = 1, deepest = 1;
+    for (const char c : word) {
+      height += c == '(' ? 1 : 0;
+      deepest = std::max(deepest, height);
+      height -= c == ')' ? 1 : 0;
+    }
+    const std::string whole = line(ramify(what + "--statistics height --no-graft").out, 2);
+    EXPECT_EQ(whole.substr(whole.rfind(',') + 1), std::to_string(deepest)) << model;
+    const std::string grafted = line(ramify(what + "--statistics strahler,height,nodes").out, 2);
+    const std::string grown = line(ramify(what + "--statistics strahler,height,nodes --no-graft").out, 2);
+    EXPECT_NE(grafted, grown) << model << ": nothing was grafted";
+  }
+}
+
+TEST(Sample, TooSmallTreesForGraftsAreGrownWhole) {
+  const std::string what =
+      "sample --model 'patricia(0.23)' --n 1000 --replicates 9 --statistics strahler,nodes";
+  EXPECT_EQ(ramify(what).out, ramify(what + " --no-graft").out);
+}
+
+TEST(Sample, ABillionNodesTakeNoTime) {
+  const Ran ran = ramify("sample --model bst --n 1e9 --replicates 3 --statistics strahler");
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  for (std::size_t row = 2; row <= 4; ++row) {
+    const std::string text = line(ran.out, row);
+    const int order = std::stoi(text.substr(text.rfind(',') + 1));
+    EXPECT_TRUE(order == 18 || order == 19) << text;  // log(10^9) / log(3.0438) = 18.6
+  }
+}
+
 TEST(Sample, StatisticsDoNotDependOnWhatElseIsAskedFor) {
   const Ran lean = ramify("sample --model bst --n 300 --replicates 5 --statistics height");
   const Ran full = ramify("sample --model bst --n 300 --replicates 5 --statistics height,depth");

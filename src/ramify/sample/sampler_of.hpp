@@ -1,5 +1,8 @@
 #pragma once
 
+#include <memory>
+#include <optional>
+
 #include "ramify/model/split_tree.hpp"
 #include "ramify/sample/graft_rule.hpp"
 #include "ramify/sample/graft_tables.hpp"
@@ -28,23 +31,28 @@ class SamplerOf final : public TreeSampler {
   }
 
  private:
-  // Where small sizes are grafted, those above them are what is left to draw.
-  static constexpr Size grafted_table_size = 256;
+  /// What is grafted, and how the sizes above it are drawn.
+  struct Grafting {
+    // Small sizes are grafted, those above them are what is left to draw: a larger table pays than for trees
+    // that are grown whole.
+    static constexpr Size table_size = 256;
+
+    SplitTree<Law> grammar;
+    std::shared_ptr<const GraftTableOf<F>> table;
+  };
 
   /// What all clones read.
   struct Shared {
     Shared(const SamplerOrder& order, const Law& law)
-        : rule(order.model, order.method),
-          cancellation(order.cancellation),
-          grammar(law, order.method.graft ? grafted_table_size : SplitTree<Law>::default_table_size) {
+        : rule(order.model, order.method), cancellation(order.cancellation), grammar(law) {
       if (const Size largest = rule.size(order.largest_n); largest > 0)
-        table = make_graft_table<F>(order.model, largest);
+        grafting = {SplitTree<Law>(law, Grafting::table_size), make_graft_table<F>(order.model, largest)};
     }
 
     GraftRule rule;
     const Cancellation* cancellation;
-    SplitTree<Law> grammar;
-    std::shared_ptr<const GraftTableOf<F>> table;  // nothing where nothing is grafted
+    SplitTree<Law> grammar;            ///< of trees that are grown whole
+    std::optional<Grafting> grafting;  ///< nothing where no tree is large enough
   };
 
   explicit SamplerOf(std::shared_ptr<const Shared> shared)
@@ -53,7 +61,8 @@ class SamplerOf final : public TreeSampler {
   typename F::Value root_value(Size n, Stream& stream, F& fold) {
     const Size grafted = shared_->rule.size(n);
     if (grafted == 0) return grower_(shared_->grammar, n, stream, fold);
-    return grower_(shared_->grammar, n, stream, fold, Graft(*shared_->table, grafted));
+    const Grafting& grafting = *shared_->grafting;
+    return grower_(grafting.grammar, n, stream, fold, Graft(*grafting.table, grafted));
   }
 
   std::shared_ptr<const Shared> shared_;
