@@ -4,7 +4,9 @@
 #include <utility>
 #include <vector>
 
+#include "ramify/core/cancellation.hpp"
 #include "ramify/core/contract.hpp"
+#include "ramify/core/error.hpp"
 #include "ramify/law/choice_path.hpp"
 #include "ramify/model/registry.hpp"
 #include "ramify/tree/fold.hpp"
@@ -65,12 +67,13 @@ OutcomesOf<F> join_outcomes(const std::vector<double>& left_pmf, const std::vect
 ///
 /// Sums of positive terms, scaled to sum 1: relative error of a probability about n 2^-53. Pairs of outcomes
 /// less likely than 1e-30 are left out. Cost of a size: over all splits, the product of the children's
-/// numbers of outcomes.
+/// numbers of outcomes. Throws Interrupted when cancelled.
 /// @param make_fold  fold from a ChoicePath& that its walk, if it has one, must follow (choice_path.hpp); its
 ///                   values are ordered
 /// @param largest    at most largest_tallied of the fold
 template <class MakeFold>
-auto outcome_laws(const Model& model, Size largest, MakeFold make_fold) {
+auto outcome_laws(const Model& model, Size largest, MakeFold make_fold,
+                  const Cancellation& cancellation = {}) {
   ChoicePath path;
   auto fold = make_fold(path);
   using F = decltype(fold);
@@ -78,6 +81,7 @@ auto outcome_laws(const Model& model, Size largest, MakeFold make_fold) {
   RAMIFY_EXPECTS(largest <= largest_tallied<F>());
   std::vector<OutcomesOf<F>> laws{{{fold.external(), TallyOf<F>(), 1.0}}};
   for (Size n = 1; n <= largest; ++n) {
+    if (cancellation.requested()) throw Interrupted();
     const auto left_pmf = std::visit([n](const auto& law) { return law.pmf(n); }, model.law());
     laws.push_back(detail::join_outcomes<F>(n == 1 ? std::vector{1.0} : left_pmf, laws, fold, path));
   }

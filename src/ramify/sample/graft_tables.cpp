@@ -42,37 +42,44 @@ OutcomesOf<F> outcomes(const Law& law, Size n) {
 }
 
 template <HasLaw F>
-GraftTableOf<F> tabulate(const Model& model, Size largest) {
+GraftTableOf<F> tabulate(const Model& model, Size largest, const Cancellation& cancellation) {
   using Law = typename LawOf<F>::type;
-  const auto law = build_law(model, largest, empty_law<Law>(largest));
+  const auto law = build_law(model, largest, empty_law<Law>(largest), cancellation);
   GraftTableOf<F> table;
   for (Size n = 0; n <= largest; ++n) table.append(outcomes<F>(law, n));
   return table;
 }
 
 template <class F>
-GraftTableOf<F> tabulate(const Model& model, Size largest) {
+GraftTableOf<F> tabulate(const Model& model, Size largest, const Cancellation& cancellation) {
   GraftTableOf<F> table;
   const auto make = [](ChoicePath& path) {
     using Enumerated = std::conditional_t<std::is_same_v<F, FullFold>, FullFoldOf<EnumeratedWalk>, F>;
     return make_fold<Enumerated>(EnumeratedWalk(path));
   };
-  for (const auto& law : outcome_laws(model, largest, make)) table.append(law);
+  for (const auto& law : outcome_laws(model, largest, make, cancellation)) table.append(law);
   return table;
 }
 
 }  // namespace
 
 template <class F>
-std::shared_ptr<const GraftTableOf<F>> make_graft_table(const Model& model, Size largest) {
-  return std::make_shared<const GraftTableOf<F>>(tabulate<F>(model, largest));
+std::shared_ptr<const GraftTableOf<F>> make_graft_table(const Model& model, Size largest,
+                                                        const Cancellation& cancellation) {
+  return std::make_shared<const GraftTableOf<F>>(tabulate<F>(model, largest, cancellation));
 }
 
-template std::shared_ptr<const GraftTableOf<Strahler>> make_graft_table<Strahler>(const Model&, Size);
-template std::shared_ptr<const GraftTableOf<Height>> make_graft_table<Height>(const Model&, Size);
-template std::shared_ptr<const GraftTableOf<FillLevel>> make_graft_table<FillLevel>(const Model&, Size);
-template std::shared_ptr<const GraftTableOf<Balance>> make_graft_table<Balance>(const Model&, Size);
-template std::shared_ptr<const GraftTableOf<LeanFold>> make_graft_table<LeanFold>(const Model&, Size);
-template std::shared_ptr<const GraftTableOf<FullFold>> make_graft_table<FullFold>(const Model&, Size);
+template std::shared_ptr<const GraftTableOf<Strahler>> make_graft_table<Strahler>(const Model&, Size,
+                                                                                  const Cancellation&);
+template std::shared_ptr<const GraftTableOf<Height>> make_graft_table<Height>(const Model&, Size,
+                                                                              const Cancellation&);
+template std::shared_ptr<const GraftTableOf<FillLevel>> make_graft_table<FillLevel>(const Model&, Size,
+                                                                                    const Cancellation&);
+template std::shared_ptr<const GraftTableOf<Balance>> make_graft_table<Balance>(const Model&, Size,
+                                                                                const Cancellation&);
+template std::shared_ptr<const GraftTableOf<LeanFold>> make_graft_table<LeanFold>(const Model&, Size,
+                                                                                  const Cancellation&);
+template std::shared_ptr<const GraftTableOf<FullFold>> make_graft_table<FullFold>(const Model&, Size,
+                                                                                  const Cancellation&);
 
 }  // namespace ramify

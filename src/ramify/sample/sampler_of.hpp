@@ -11,7 +11,7 @@
 
 namespace ramify::detail {
 
-/// Grows trees of one split law, folds them with F and grafts what graft_size says.
+/// Grows trees of one split law, folds them with F and grafts what GraftRule says.
 template <class Law, class F>
 class SamplerOf final : public TreeSampler {
  public:
@@ -46,7 +46,8 @@ class SamplerOf final : public TreeSampler {
     Shared(const SamplerOrder& order, const Law& law)
         : rule(order.model, order.method), cancellation(order.cancellation), grammar(law) {
       if (const Size largest = rule.size(order.largest_n); largest > 0)
-        grafting = {SplitTree<Law>(law, Grafting::table_size), make_graft_table<F>(order.model, largest)};
+        grafting = {SplitTree<Law>(law, Grafting::table_size),
+                    make_graft_table<F>(order.model, largest, *order.cancellation)};
     }
 
     GraftRule rule;
