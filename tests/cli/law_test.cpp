@@ -122,6 +122,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Built{"bst", "strahler", "--moments", LawKind::bounded, 16384},
                     Built{"patricia(0.5)", "balance", "--moments", LawKind::bounded, 32768},
                     Built{"beta(2,2)", "fill_level", "--moments", LawKind::bounded, 8192},
+                    Built{"beta_multinomial(2,2)", "strahler", "--moments", LawKind::bounded, 8192},
                     Built{"bst", "height", "--moments", LawKind::height, 8192},
                     Built{"catalan", "height", "--moments", LawKind::height, 4096},
                     Built{"beta(0.01,0.01)", "height", "--moments", LawKind::height, 2048},

@@ -59,12 +59,14 @@ const std::vector<Known> known_means{
     {"dst(0.23)", "strahler", 579, 5.089242, 5e-7},
     {"dst(1/4.35)", "strahler", 2000, 6.020987, 5e-7},
     {"beta(10,10)", "strahler", 4096, 9.158269, 5e-7},
+    {"beta_multinomial(10,10)", "strahler", 4096, 8.959290, 5e-7},
     {"split(1/4.35)", "strahler", 579, 5, 0},
     {"bst", "depth", 1000, 12.9709417211 + 1, 5e-11},
     {"bst", "depth", 4096, 15.7902077939 + 1, 5e-11},
     {"bst", "height", 1000, 22.0395060178 + 1, 5e-11},
     {"bst", "height", 4096, 27.6271299580 + 1, 5e-11},
     {"beta(10,10)", "height", 4096, 15.937 + 1, 5e-4},
+    {"beta_multinomial(10,10)", "height", 4096, 17.320 + 1, 5e-4},
     {"patricia(0.5)", "height", 579, 12.3985 + 1, 5e-5},
     {"patricia(0.5)", "height", 4096, 15.9319 + 1, 5e-5},
     {"patricia(0.23)", "height", 579, 21.12 + 1, 5e-3},
@@ -197,6 +199,23 @@ TEST(KnownRatios, OfExpectedCountsOfPatricia) {
   for (std::size_t k = 0; k < streams.size(); ++k) {
     EXPECT_NEAR(ratio("streams_", k), streams[k], 5.1e-4) << k;
     EXPECT_NEAR(ratio("nodes_", k), nodes[k], 5.1e-4) << k;
+  }
+}
+
+struct StreamRatios {
+  const char* model;
+  std::size_t first;  // order
+  std::vector<double> ratios;
+};
+
+TEST(KnownRatios, OfExpectedStreamsOfMultinomialBetaTrees) {
+  for (const auto& [text, first, ratios] :
+       {StreamRatios{"beta_multinomial(10,10)", 5, {2.507, 2.502, 2.506}},
+        StreamRatios{"beta_multinomial(0.1,0.1)", 0, {5.737, 3.725, 3.473, 3.396, 3.363}}}) {
+    const auto orders = ramify::build_law(Model::parse(text), 4096, ramify::OrderMeans(4096));
+    const auto streams = orders.streams(4096);
+    for (std::size_t i = 0; i < ratios.size(); ++i)
+      EXPECT_NEAR(streams[first + i] / streams[first + i + 1], ratios[i], 5e-4) << text << " " << first + i;
   }
 }
 

@@ -137,7 +137,8 @@ TEST_P(LawOfModel, AgreesWithAllTreesToSize8) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Exact, LawOfModel,
-                         testing::Values("bst", "beta(2,5)", "beta(0.1,0.1)", "beta(10,80)", "split(0.25)",
+                         testing::Values("bst", "beta(2,5)", "beta(0.1,0.1)", "beta(10,80)",
+                                         "beta_multinomial(2,5)", "beta_multinomial(0.1,0.1)", "split(0.25)",
                                          "split(0.7)", "dst(0.23)", "dst(0.9)", "patricia(0.23)",
                                          "patricia(0.5)", "catalan"));
 
@@ -170,6 +171,16 @@ TEST(Laws, OfBetaOneOneAreThoseOfTheBst) {
   constexpr Size n = 300;
   const ExactMeans beta(Model::parse("beta(1,1)"), n), bst(Model::parse("bst"), n);
   for (const char* column : {"strahler", "height", "depth", "fill_level", "balance"}) {
+    EXPECT_NEAR(beta.moments(column, n)->mean, bst.moments(column, n)->mean, 1e-12) << column;
+    EXPECT_NEAR(beta.moments(column, n)->variance, bst.moments(column, n)->variance, 1e-11) << column;
+  }
+}
+
+TEST(Laws, OfBetaMultinomialOneOneAreThoseOfTheBst) {
+  constexpr Size n = 300;
+  const ExactMeans beta(Model::parse("beta_multinomial(1,1)"), n), bst(Model::parse("bst"), n);
+  for (const char* column :
+       {"strahler", "height", "depth", "fill_level", "balance", "nodes_2", "streams_3"}) {
     EXPECT_NEAR(beta.moments(column, n)->mean, bst.moments(column, n)->mean, 1e-12) << column;
     EXPECT_NEAR(beta.moments(column, n)->variance, bst.moments(column, n)->variance, 1e-11) << column;
   }

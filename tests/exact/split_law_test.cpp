@@ -151,6 +151,28 @@ TEST(BetaLaw, IsTheIntegralOfItsDensity) {
   }
 }
 
+TEST(BetaMultinomialLaw, OfOneOneIsTheBst) {
+  for (const Size n : {1u, 2u, 3u, 10u, 128u, 5000u})
+    expect_same_law(pmf_of("beta_multinomial(1,1)", n), pmf_of("bst", n), 1e-15);
+}
+
+// The reference is a product of rising factorials in 50 digits and is not scaled to sum 1.
+TEST(BetaMultinomialLaw, IsPolyasUrn) {
+  const std::vector<std::pair<double, double>> shapes{{0.01, 0.01}, {0.01, 0.02}, {0.1, 0.1}, {0.5, 3},
+                                                      {0.3, 0.2},   {1, 0.4},     {2, 5},     {0.01, 1000},
+                                                      {1000, 1000}, {80, 10}};
+  for (const auto& [a, b] : shapes)
+    for (const Size n : {1u, 2u, 3u, 10u, 128u, 1000u, 20000u}) {
+      SCOPED_TRACE(fmt::format("a = {}, b = {}", a, b));
+      expect_same_law(BetaMultinomial(a, b).pmf(n), test::beta_multinomial_law(n, a, b), 1e-11);
+    }
+}
+
+// As X concentrates, the digital search tree.
+TEST(BetaMultinomialLaw, TendsToTheBinomial) {
+  expect_same_law(pmf_of("beta_multinomial(3e17,7e17)", 40), pmf_of("dst(0.3)", 40), 1e-12);
+}
+
 TEST(FixedSplitLaw, IsTheFloor) {
   for (const Size n : {1u, 2u, 3u, 4u, 15u, 579u, 1000u}) {
     EXPECT_EQ(pmf_of("split(0.25)", n), test::split_law(n, 0.25));

@@ -11,8 +11,11 @@ namespace {
 
 // The rows of a law are its pmf, folded: for beta that holds the quadrature against the incomplete betas.
 TEST(SplitRows, AreTheFoldedPmf) {
-  for (const char* text : {"bst", "catalan", "split(0.25)", "dst(0.23)", "patricia(0.77)", "patricia(1e-9)",
-                           "beta(2,2)", "beta(0.01,0.01)", "beta(10,80)", "beta(0.3,5)", "beta(1000,1000)"}) {
+  for (const char* text :
+       {"bst", "catalan", "split(0.25)", "dst(0.23)", "patricia(0.77)", "patricia(1e-9)", "beta(2,2)",
+        "beta(0.01,0.01)", "beta(10,80)", "beta(0.3,5)", "beta(1000,1000)", "beta_multinomial(2,2)",
+        "beta_multinomial(0.01,0.01)", "beta_multinomial(1e-9,1e-9)", "beta_multinomial(0.3,5)",
+        "beta_multinomial(1000,1000)"}) {
     const Model model = Model::parse(text);
     SplitRows rows(model);
     for (const Size n : {1u, 2u, 3u, 17u, 100u, 1001u}) {

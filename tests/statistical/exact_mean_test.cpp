@@ -101,6 +101,8 @@ std::vector<ExactMean> exact_means() {
       {"dst_579_balance", "dst(1/4.35)", 579, balance, 5.211026, patricia},
       {"dst_1000_order", "dst(1/4.35)", 1000, order, 5.760547, patricia},
       {"beta_4096_order", "beta(10,10)", 4096, order, 9.158269, grower_of(Beta(9, 9)), 2000},
+      {"beta_multinomial_4096_order", "beta_multinomial(10,10)", 4096, order, 8.959290,
+       grower_of(Beta(10, 10)), 2000},
   };
 }
 

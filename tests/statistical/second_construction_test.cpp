@@ -71,7 +71,12 @@ INSTANTIATE_TEST_SUITE_P(
                       Construction{"CatalanByRemy", "catalan", "bst",
                                    [](Stream& s) { return test::catalan_by_remy(n, s); }},
                       Construction{"BetaByOrderStatistics", "beta(2,5)", "beta(2,4)",
-                                   [](Stream& s) { return test::beta_by_order_statistics(n, 2, 5, s); }}),
+                                   [](Stream& s) { return test::beta_by_order_statistics(n, 2, 5, s); }},
+                      Construction{"BetaMultinomialByInsertion", "beta_multinomial(2,5)", "beta(2,5)",
+                                   [](Stream& s) { return test::beta_multinomial_by_insertion(n, 2, 5, s); }},
+                      Construction{
+                          "WideBetaMultinomialByInsertion", "beta_multinomial(0.3,0.2)", "beta(0.3,0.2)",
+                          [](Stream& s) { return test::beta_multinomial_by_insertion(n, 0.3, 0.2, s); }}),
     [](const auto& instance) { return instance.param.name; });
 
 // beta(a,a+1) and beta(a,a) have the same law of unordered splits ((f(x)+f(1-x))/2 coincide): the same law of

@@ -7,9 +7,19 @@
 namespace ramify::test {
 
 const std::vector<std::string>& all_models() {
-  static const std::vector<std::string> models{
-      "bst",       "beta(1,1)", "beta(10,80)",      "beta(0.3,0.2)", "split(0.25)", "split(1/4.35)",
-      "dst(0.23)", "dst(1/2)",  "patricia(1/4.35)", "patricia(0.7)", "catalan"};
+  static const std::vector<std::string> models{"bst",
+                                               "beta(1,1)",
+                                               "beta(10,80)",
+                                               "beta(0.3,0.2)",
+                                               "beta_multinomial(2,5)",
+                                               "beta_multinomial(0.3,0.2)",
+                                               "split(0.25)",
+                                               "split(1/4.35)",
+                                               "dst(0.23)",
+                                               "dst(1/2)",
+                                               "patricia(1/4.35)",
+                                               "patricia(0.7)",
+                                               "catalan"};
   return models;
 }
 

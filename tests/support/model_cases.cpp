@@ -13,6 +13,12 @@ SplitPmf beta(double a, double b) {
 SplitPmf short_beta(double a, double b) {
   return [=](Size n) { return short_beta_law(n, a, b); };
 }
+SplitPmf beta_multinomial(double a, double b) {
+  return [=](Size n) { return beta_multinomial_law(n, a, b); };
+}
+SplitPmf long_beta_multinomial(double a, double b) {
+  return [=](Size n) { return long_beta_multinomial_law(n, a, b); };
+}
 SplitPmf dst(double p) {
   return [=](Size n) { return dst_law(n, p); };
 }
@@ -48,6 +54,28 @@ std::vector<ModelCase> floor_models() {
   };
 }
 
+std::vector<ModelCase> multinomial_models() {
+  return {
+      {"beta_multinomial(1,1)", uniform_law, {{"b = 1.1", beta_multinomial(1, 1.1)}}, {}},
+      {"beta_multinomial(2,5)",
+       beta_multinomial(2, 5),
+       {{"a and b swapped", beta_multinomial(5, 2)}, {"X constant", dst(2.0 / 7)}},
+       {{"Bin(n,X)", long_beta_multinomial(2, 5)}, {"floor model", beta(2, 5)}}},
+      {"beta_multinomial(0.3,0.2)",
+       beta_multinomial(0.3, 0.2),
+       {{"a and b swapped", beta_multinomial(0.2, 0.3)}},
+       {{"Bin(n,X)", long_beta_multinomial(0.3, 0.2)}, {"floor model", beta(0.3, 0.2)}}},
+      {"beta_multinomial(0.01,0.01)",
+       beta_multinomial(0.01, 0.01),
+       {{"b doubled", beta_multinomial(0.01, 0.02)}},
+       {}},
+      {"beta_multinomial(1000,1000)",
+       beta_multinomial(1000, 1000),
+       {{"a one too many in 20", beta_multinomial(1050, 1000)}, {"floor model", beta(1000, 1000)}},
+       {{"Bin(n,X)", long_beta_multinomial(1000, 1000)}}},
+  };
+}
+
 std::vector<ModelCase> string_models() {
   return {
       {"dst(0.23)",
@@ -80,7 +108,8 @@ std::vector<ModelCase> string_models() {
 const std::vector<ModelCase>& model_cases() {
   static const std::vector<ModelCase> cases = [] {
     auto all = floor_models();
-    for (auto& model : string_models()) all.push_back(model);
+    for (const auto& more : {multinomial_models(), string_models()})
+      all.insert(all.end(), more.begin(), more.end());
     return all;
   }();
   return cases;

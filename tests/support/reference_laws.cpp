@@ -53,6 +53,24 @@ double beta_piece(double a, double b, double from, double to) {
   return scale * gauss_kronrod<double, 61>::integrate(density, 0.0, std::pow(to, a), depth, tolerance);
 }
 
+/// a (a+1) ... (a+k-1) / k!, k = 0..m.
+std::vector<Real> rising_factorials(double a, Size m) {
+  std::vector<Real> rising{1};
+  for (Size k = 0; k < m; ++k) rising.push_back(rising.back() * (Real(a) + Real(k)) / Real(k + 1));
+  return rising;
+}
+
+/// How often k of m draws from an urn of a and b balls are of the first kind, each ball drawn being put back
+/// with one more of its kind (Polya): Binomial(m, X), X ~ beta(a,b). k = 0..m.
+std::vector<Real> urn(Size m, double a, double b) {
+  const auto first = rising_factorials(a, m), second = rising_factorials(b, m);
+  Real all = 1;
+  for (Size k = 0; k < m; ++k) all *= (Real(a) + Real(b) + Real(k)) / Real(k + 1);
+  std::vector<Real> law;
+  for (Size k = 0; k <= m; ++k) law.push_back(first[k] * second[m - k] / all);
+  return law;
+}
+
 std::vector<double> appended_zero(std::vector<double> law) {
   law.push_back(0);
   return law;
@@ -89,6 +107,12 @@ std::vector<double> beta_law(Size n, double a, double b) {
   return law;
 }
 
+std::vector<double> beta_multinomial_law(Size n, double a, double b) {
+  std::vector<double> law;
+  for (const Real& p : urn(n - 1, a, b)) law.push_back(static_cast<double>(p));
+  return law;
+}
+
 std::vector<double> catalan_law(Size n) {
   std::vector<Real> numbers{1};  // C_i
   for (Size i = 0; i + 1 < n; ++i) numbers.push_back(numbers.back() * Real(2 * (2 * i + 1)) / Real(i + 2));
@@ -107,6 +131,12 @@ std::vector<double> patricia_law(Size n, double p) {
 
 std::vector<double> thesis_binomial_law(Size n, double p) {
   auto weights = binomial(n, p);
+  weights.pop_back();
+  return scaled(weights);
+}
+
+std::vector<double> long_beta_multinomial_law(Size n, double a, double b) {
+  auto weights = urn(n, a, b);
   weights.pop_back();
   return scaled(weights);
 }

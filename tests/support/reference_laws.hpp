@@ -13,12 +13,16 @@ namespace ramify::test {
 std::vector<double> uniform_law(Size n);
 std::vector<double> split_law(Size n, double x);
 std::vector<double> beta_law(Size n, double a, double b);
+std::vector<double> beta_multinomial_law(Size n, double a, double b);
 std::vector<double> catalan_law(Size n);
 std::vector<double> dst_law(Size n, double p);
 std::vector<double> patricia_law(Size n, double p);
 
 /// Slip: Binomial(n, p) in place of Binomial(n-1, p), X = n left out (X16).
 std::vector<double> thesis_binomial_law(Size n, double p);
+
+/// Slip: left ~ Binomial(n, X) in place of Binomial(n-1, X), n left out.
+std::vector<double> long_beta_multinomial_law(Size n, double a, double b);
 
 /// Slip: left = 0..n-2 only.
 std::vector<double> short_uniform_law(Size n);

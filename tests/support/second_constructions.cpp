@@ -128,6 +128,22 @@ LinkedTree beta_by_order_statistics(std::size_t n, std::size_t a, std::size_t b,
   return tree;
 }
 
+LinkedTree beta_multinomial_by_insertion(std::size_t n, double a, double b, Stream& stream) {
+  LinkedTree tree;
+  struct Gone {
+    double left = 0, right = 0;
+  };
+  std::vector<Gone> gone(n);
+  for (std::size_t i = 0; i < n; ++i)
+    insert(tree, [&](int node, std::size_t) {
+      auto& [left, right] = gone[static_cast<std::size_t>(node)];
+      const bool goes_left = uniform_open(stream) * (left + right + a + b) < left + a;
+      ++(goes_left ? left : right);
+      return goes_left;
+    });
+  return tree;
+}
+
 OrderAndHeight order_and_height(const LinkedTree& tree) {
   return look_below(tree, tree.root);
 }

@@ -37,6 +37,11 @@ LinkedTree catalan_by_remy(std::size_t n, Stream& stream);
 /// Floor split tree with X the a-th smallest of a+b-1 uniforms, which is beta(a,b); whole a, b >= 1 (A8).
 LinkedTree beta_by_order_statistics(std::size_t n, std::size_t a, std::size_t b, Stream& stream);
 
+/// n keys inserted one after the other: where i keys have gone left and j right of a node, the next goes left
+/// with probability (i+a)/(i+j+a+b). By Polya's urn that is a coin of bias X ~ beta(a,b) at every node (A8);
+/// a, b > 0.
+LinkedTree beta_multinomial_by_insertion(std::size_t n, double a, double b, Stream& stream);
+
 /// Horton-Strahler order and height, by the definitions.
 struct OrderAndHeight {
   std::size_t order;

@@ -35,6 +35,7 @@ TEST(Model, ReadsEveryModel) {
   EXPECT_EQ(beta.name(), "beta");
   EXPECT_EQ(beta.parameters(), (std::vector<double>{10, 80}));
   EXPECT_EQ(std::get<Beta>(beta.law()).b(), 80);
+  EXPECT_EQ(std::get<BetaMultinomial>(Model::parse("beta_multinomial(2,1/3)").law()).b(), 1.0 / 3);
   EXPECT_EQ(std::get<Patricia>(Model::parse("patricia(1/4.35)").law()).p(), 1 / 4.35);
   EXPECT_EQ(std::get<Dst>(Model::parse("dst(0.23)").law()).p(), 0.23);
   EXPECT_EQ(std::get<FixedSplit>(Model::parse("split(0.25)").law()).x(), 0.25);
@@ -71,14 +72,16 @@ TEST(Model, RefusesAParameterOutOfItsDomain) {
     for (const char* value : {"0", "1", "-0.1", "1.5", "2/1", "-0"})
       EXPECT_TRUE(says(refusal(std::string(model) + "(" + value + ")"), "must lie in (0,1)"))
           << model << value;
-  for (const char* text : {"beta(0,1)", "beta(1,0)", "beta(-1,1)", "beta(1,-2)"})
+  for (const char* text : {"beta(0,1)", "beta(1,0)", "beta(-1,1)", "beta(1,-2)", "beta_multinomial(0,1)",
+                           "beta_multinomial(1,-2)"})
     EXPECT_TRUE(says(refusal(text), "must be a finite number above 0")) << text;
   EXPECT_EQ(refusal("beta(0.01,1000)"), "accepted");
 }
 
 TEST(Model, RefusesSizesItCannotDraw) {
   const Size limit = Size{1} << 50;
-  for (const char* text : {"beta(2,3)", "split(0.3)", "dst(0.3)", "patricia(0.3)", "catalan"}) {
+  for (const char* text :
+       {"beta(2,3)", "beta_multinomial(2,3)", "split(0.3)", "dst(0.3)", "patricia(0.3)", "catalan"}) {
     const Model model = Model::parse(text);
     EXPECT_EQ(model.largest_size(), limit);
     EXPECT_NO_THROW(model.require_size(limit));
@@ -99,8 +102,9 @@ TEST(Model, HashesValuesNotSpelling) {
 TEST(Model, HasACellOfItsOwnForEverySize) {
   std::set<std::uint64_t> cells;
   std::size_t asked = 0;
-  for (const char* text : {"bst", "catalan", "dst(0.25)", "dst(0.75)", "patricia(0.25)", "split(0.25)",
-                           "beta(1,11)", "beta(11,1)", "beta(1,1)", "patricia(0.2500000000000001)"})
+  for (const char* text :
+       {"bst", "catalan", "dst(0.25)", "dst(0.75)", "patricia(0.25)", "split(0.25)", "beta(1,11)",
+        "beta(11,1)", "beta(1,1)", "beta_multinomial(1,1)", "patricia(0.2500000000000001)"})
     for (const Size n : {0u, 1u, 10u, 11u, 100u, 110u, 1000000u}) {
       cells.insert(Model::parse(text).stream_cell(n));
       ++asked;
@@ -115,7 +119,8 @@ TEST(Models, AreListedOnceEachWithTheirSource) {
     EXPECT_FALSE(info.source.empty());
     EXPECT_FALSE(info.n_counts.empty());
   }
-  EXPECT_EQ(names, (std::set<std::string_view>{"bst", "beta", "split", "dst", "patricia", "catalan"}));
+  EXPECT_EQ(names, (std::set<std::string_view>{"bst", "beta", "beta_multinomial", "split", "dst", "patricia",
+                                               "catalan"}));
   for (const auto& info : models())
     if (info.name == "beta") {
       EXPECT_EQ(info.signature(), "beta(a,b)");

@@ -147,6 +147,40 @@ TEST(BinomialVariate, HasItsMeanAtTwoToTheFifty) {
   }
 }
 
+TEST(BinomialVariate, OfAPairAgreesWithItsLaw) {
+  const std::vector<Binomial> cases{{1, 0.3},   {10, 0.5},     {100, 0.01},  {100, 0.99},
+                                    {100, 0.3}, {1000, 0.011}, {1000, 0.989}};
+  for (const auto& [trials, p] : cases) {
+    Stream stream({seed_of("binomial of a pair"), trials}, static_cast<std::uint64_t>(1000 * p));
+    std::vector<std::uint64_t> counts(trials + 1, 0);
+    for (int i = 0; i < 200000; ++i) ++counts.at(binomial_variate(stream, trials, UnitPair{p, 1 - p}));
+    EXPECT_TRUE(agrees(chi_square("binomial of a pair", counts, binomial_law(trials, p))));
+    EXPECT_TRUE(rejected(
+        chi_square("binomial of a pair, p 3 % low", counts, binomial_law(trials, 0.97 * p), 200000.0 / 64)));
+  }
+}
+
+TEST(BinomialVariate, OfAPairHoldsAtItsEnds) {
+  Stream stream({seed_of("binomial of a pair, ends"), 0}, 0);
+  constexpr std::uint64_t trials = std::uint64_t{1} << 50;
+  for (const std::uint64_t m : {std::uint64_t{0}, std::uint64_t{1}, trials}) {
+    EXPECT_EQ(binomial_variate(stream, m, UnitPair{0, 1}), 0u);
+    EXPECT_EQ(binomial_variate(stream, m, UnitPair{1, 0}), m);
+    EXPECT_EQ(binomial_variate(stream, m, UnitPair{1e-300, 1}), 0u);
+  }
+  // A mean of 1 or so: 1-p alone would be 11 % off.
+  const double p = 1e-15, expected = static_cast<double>(trials) * p;
+  SampleMean low, high;
+  for (int i = 0; i < 100000; ++i) {
+    low.add(static_cast<double>(binomial_variate(stream, trials, UnitPair{p, 1 - p})));
+    high.add(static_cast<double>(trials - binomial_variate(stream, trials, UnitPair{1 - p, p})));
+  }
+  EXPECT_TRUE(agrees(z_test("rare successes", low, expected)));
+  EXPECT_TRUE(agrees(z_test("rare failures", high, expected)));
+  EXPECT_TRUE(
+      rejected(z_test("rare successes, 1-p in double", low, -static_cast<double>(trials) * std::log(1 - p))));
+}
+
 std::vector<double> inner_law(std::uint64_t m, double p) {
   auto law = binomial_law(m, p);
   law.front() = law.back() = 0;

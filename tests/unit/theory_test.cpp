@@ -110,6 +110,13 @@ const std::vector<Known> known_constants{
     {"catalan", "horton_ratio", 4, 0},
     {"beta(10,80)", "split_mean", 1.0 / 9, 1e-16},
     {"beta(10,80)", "split_variance", 800.0 / (8100 * 91), 1e-18},
+    {"beta_multinomial(1,1)", "height", 4.31107040700100504, 1e-15},
+    {"beta_multinomial(10,80)", "depth", 2.912307565053, 1e-12},
+    {"beta_multinomial(10,80)", "height", 8.634818523321, 1e-12},
+    {"beta_multinomial(10,80)", "fill_level", 0.4271822186, 1e-10},
+    {"beta_multinomial(10,80)", "balance", 0.5275720393, 1e-10},
+    {"beta_multinomial(10,80)", "split_mean", 1.0 / 9, 1e-16},
+    {"beta_multinomial(10,80)", "split_variance", 800.0 / (8100 * 91), 1e-18},
     {"bst", "split_mean", 0.5, 0},
     {"bst", "split_variance", 1.0 / 12, 1e-17},
 };
@@ -168,6 +175,7 @@ TEST(Constants, AreListedInTheOrderOfTheTable) {
   EXPECT_EQ(names("bst"), (Names{"depth", "height", "strahler", "horton_ratio", "fill_level", "balance",
                                  "split_mean", "split_variance"}));
   EXPECT_EQ(names("beta(2,5)"), names("bst"));
+  EXPECT_EQ(names("beta_multinomial(2,5)"), names("bst"));
   EXPECT_EQ(names("patricia(0.2)"), names("bst"));
   EXPECT_EQ(names("split(0.2)"), names("bst"));
   EXPECT_EQ(names("dst(0.2)"), (Names{"depth", "height", "split_mean", "split_variance"}));
@@ -175,7 +183,8 @@ TEST(Constants, AreListedInTheOrderOfTheTable) {
 }
 
 TEST(Constants, SaysWhereTheyComeFrom) {
-  for (const char* model : {"bst", "beta(2,5)", "split(0.2)", "dst(0.2)", "patricia(0.2)", "catalan"})
+  for (const char* model :
+       {"bst", "beta(2,5)", "beta_multinomial(2,5)", "split(0.2)", "dst(0.2)", "patricia(0.2)", "catalan"})
     for (const auto& constant : ramify::constants(Model::parse(model))) {
       EXPECT_FALSE(constant.formula.empty()) << model << " " << constant.name;
       EXPECT_FALSE(constant.source.empty()) << model << " " << constant.name;

@@ -35,6 +35,9 @@ RowCost rows(const Catalan&, double n) {
 RowCost rows(const Beta&, double n) {
   return dense(n, 40, 240);
 }
+RowCost rows(const BetaMultinomial&, double n) {
+  return dense(n, 12, 24);
+}
 RowCost rows(const Dst& law, double n) {
   return binomial(n, law.p());
 }

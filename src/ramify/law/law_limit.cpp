@@ -17,9 +17,15 @@ Limit limit(const Bst&) {
 Limit limit(const Catalan&) {
   return {3000, 2048};  // 1.3, 0.7: heights and depths spread over 13.6 sqrt(n) values
 }
+Limit of_fraction(double a, double b) {
+  const bool wide = std::min(a, b) < 0.1;         // chains: depths spread over n/2 values
+  return {wide ? Size{2048} : Size{4096}, 2048};  // 2.5 at a = b = 0.01, 2.2 at 0.1, 0.5 at 2; 0.7
+}
 Limit limit(const Beta& law) {
-  const bool wide = std::min(law.a(), law.b()) < 0.1;  // chains: depths spread over n/2 values
-  return {wide ? Size{2048} : Size{4096}, 2048};       // 2.5 at a = b = 0.01, 2.2 at 0.1, 0.5 at 2; 0.7
+  return of_fraction(law.a(), law.b());
+}
+Limit limit(const BetaMultinomial& law) {
+  return of_fraction(law.a(), law.b());
 }
 Limit of_fraction(double p) {
   const bool lopsided = std::min(p, 1 - p) < 0.01;     // depths spread over thousands of values

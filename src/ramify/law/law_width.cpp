@@ -56,6 +56,9 @@ Fraction fraction(const Bst&) {
 Fraction fraction(const Beta& law) {
   return {law.a(), law.b()};
 }
+Fraction fraction(const BetaMultinomial& law) {
+  return {law.a(), law.b()};
+}
 Fraction fraction(const FixedSplit& law) {
   return Fraction(law.x());
 }

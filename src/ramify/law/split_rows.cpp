@@ -44,6 +44,10 @@ void SplitRows::fill(const Beta&, Size n) {
   beta_->fill(n, left_);
 }
 
+void SplitRows::fill(const BetaMultinomial& law, Size n) {
+  take(law.window(n, far_below));
+}
+
 void SplitRows::fill(const FixedSplit& law, Size n) {
   take({law.left(n), {1.0}});
 }

@@ -24,6 +24,7 @@ class SplitRows {
  private:
   void fill(const Bst&, Size n);
   void fill(const Beta&, Size n);
+  void fill(const BetaMultinomial& law, Size n);
   void fill(const FixedSplit& law, Size n);
   void fill(const Dst& law, Size n);
   void fill(const Patricia& law, Size n);

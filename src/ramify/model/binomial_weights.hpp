@@ -2,15 +2,9 @@
 
 #include <vector>
 
-#include "ramify/tree/grammar.hpp"
+#include "ramify/model/weight_window.hpp"
 
 namespace ramify {
-
-/// Consecutive probabilities: weights[m] = P(first + m); the rest is negligible.
-struct WeightWindow {
-  Size first = 0;
-  std::vector<double> weights;
-};
 
 /// C(m, k) p^k (1-p)^(m-k) for the k around the mode whose weight is at least cutoff times that of the mode;
 /// cutoff 0 gives all of 0..m. Relative error below 1e-12 each (exact ratios outwards from the mode, scaled

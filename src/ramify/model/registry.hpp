@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ramify/model/beta.hpp"
+#include "ramify/model/beta_multinomial.hpp"
 #include "ramify/model/bst.hpp"
 #include "ramify/model/catalan.hpp"
 #include "ramify/model/dst.hpp"
@@ -17,7 +18,7 @@
 namespace ramify {
 
 /// The split law of any model; std::visit gives the concrete type, so nothing is virtual for each node.
-using AnySplitLaw = std::variant<Bst, Beta, FixedSplit, Dst, Patricia, Catalan>;
+using AnySplitLaw = std::variant<Bst, Beta, BetaMultinomial, FixedSplit, Dst, Patricia, Catalan>;
 
 /// What `ramify list models` says of a model.
 struct ModelInfo {

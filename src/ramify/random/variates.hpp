@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include <boost/random/binomial_distribution.hpp>
 #include <boost/random/normal_distribution.hpp>
@@ -67,6 +68,38 @@ std::uint64_t binomial_variate(Urbg& stream, std::uint64_t trials, double p) {
   return static_cast<std::uint64_t>(law(stream));
 }
 
+/// A binomial law's inversion: from its weight `term` at k upwards until they add up to rest, at most to
+/// last.
+///
+/// Where rounding has kept the weights below rest it ends with the weights of the tail, at `negligible`.
+inline std::uint64_t invert_binomial(std::uint64_t trials, double odds, std::uint64_t k, double term,
+                                     double rest, std::uint64_t last, double negligible) {
+  while (rest > term && k < last) {
+    const double next = term * odds * static_cast<double>(trials - k) / static_cast<double>(k + 1);
+    if (next < term && next < negligible) break;
+    rest -= term;
+    term = next;
+    ++k;
+  }
+  return k;
+}
+
+/// K ~ Binomial(trials, p) for a p that is itself a variate: p and 1-p to full relative precision, 0 and 1
+/// included.
+///
+/// Rare successes are inverted here: Boost's inversion takes 1-p in double precision, which is 10 % off at p
+/// = 1e-15, and that is no rare p among 10^15 trials.
+template <class Urbg>
+std::uint64_t binomial_variate(Urbg& stream, std::uint64_t trials, const UnitPair& p) {
+  if (p.x > p.complement) return trials - binomial_variate(stream, trials, UnitPair{p.complement, p.x});
+  if (p.x == 0) return 0;
+  const double m = static_cast<double>(trials);
+  constexpr double boost_inverts_below = 11;
+  if ((m + 1) * p.x >= boost_inverts_below) return binomial_variate(stream, trials, p.x);
+  return invert_binomial(trials, p.x / (1 - p.x), 0, std::exp(m * std::log1p(-p.x)), uniform_open(stream),
+                         trials, std::numeric_limits<double>::epsilon());
+}
+
 /// K ~ Binomial(trials, p) given 1 <= K <= trials-1; trials >= 2, 0 < p < 1: how many of `trials` strings go
 /// left at a branching node of a PATRICIA tree.
 ///
@@ -83,19 +116,11 @@ std::uint64_t inner_binomial_variate(Urbg& stream, std::uint64_t trials, double 
       if (k >= 1 && k < trials) return k;
     }
   }
-  // P(K = k) relative to P(K = 0), summed from k = 1; the total leaves out both ends.
   const double odds = p / (1 - p);
   const double log_none = m * std::log1p(-p);
   const double total = -std::expm1(log_none) - std::pow(p, m);
-  double rest = uniform_open(stream) * total;
-  double term = std::exp(log_none) * m * odds;
-  std::uint64_t k = 1;
-  while (rest > term && k + 1 < trials) {
-    rest -= term;
-    term *= odds * (m - static_cast<double>(k)) / static_cast<double>(k + 1);
-    ++k;
-  }
-  return k;
+  return invert_binomial(trials, odds, 1, std::exp(log_none) * m * odds, uniform_open(stream) * total,
+                         trials - 1, std::numeric_limits<double>::epsilon() * total);
 }
 
 }  // namespace ramify

@@ -9,9 +9,10 @@ namespace ramify {
 
 /// lim B_n / log n, B_n the balance number.
 ///
-/// bst and beta: min over t > 1 of t/theta(t) (beta_balance.hpp); bst 1.0262..., which refutes theorem C.2 of
-/// Kruszewski 1996 (C19). split and patricia: 1/log(1/min(p,1-p)), what the minimum falls to as t grows where
-/// X is constant (corollary B.2; C17). Nothing for dst, for which no source states it, nor for catalan.
+/// bst and beta trees of both kinds: min over t > 1 of t/theta(t) (beta_balance.hpp); bst 1.0262..., which
+/// refutes theorem C.2 of Kruszewski 1996 (C19). split and patricia: 1/log(1/min(p,1-p)), what the minimum
+/// falls to as t grows where X is constant (corollary B.2; C17). Nothing for dst, for which no source states
+/// it, nor for catalan.
 std::optional<Constant> balance_constant(const Model& model);
 
 }  // namespace ramify

@@ -12,10 +12,11 @@ struct BetaSplit {
   double a;
   double b;
 
-  /// Of a beta tree; a bst is beta(1,1). Nothing for any other model.
+  /// Of a beta tree, floor or multinomial; a bst is beta(1,1). Nothing for any other model.
   static std::optional<BetaSplit> of(const Model& model) {
     if (std::holds_alternative<Bst>(model.law())) return BetaSplit{1, 1};
     if (const auto* beta = std::get_if<Beta>(&model.law())) return BetaSplit{beta->a(), beta->b()};
+    if (const auto* beta = std::get_if<BetaMultinomial>(&model.law())) return BetaSplit{beta->a(), beta->b()};
     return std::nullopt;
   }
 };

@@ -7,8 +7,8 @@
 
 namespace ramify {
 
-/// E X, X the limiting fraction of the nodes that go left: beta a/(a+b), bst 1/2, split x, dst and patricia p
-/// (C8). Nothing for catalan: its fraction tends to 0 or 1.
+/// E X, X the limiting fraction of the nodes that go left: beta trees a/(a+b), bst 1/2, split x, dst and
+/// patricia p (C8). Nothing for catalan: its fraction tends to 0 or 1.
 std::optional<Constant> split_mean(const Model& model);
 
 }  // namespace ramify

@@ -7,7 +7,7 @@
 
 namespace ramify {
 
-/// Var X, X the limiting fraction of the nodes that go left: beta ab/((a+b)^2 (a+b+1)), bst 1/12; 0 for
+/// Var X, X the limiting fraction of the nodes that go left: beta trees ab/((a+b)^2 (a+b+1)), bst 1/12; 0 for
 /// split, dst and patricia, whose fraction is constant in the limit (C8). Nothing for catalan.
 std::optional<Constant> split_variance(const Model& model);
 
