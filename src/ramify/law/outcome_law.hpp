@@ -1,7 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <map>
-#include <utility>
+#include <span>
 #include <vector>
 
 #include "ramify/core/cancellation.hpp"
@@ -28,35 +29,62 @@ using OutcomesOf = std::vector<Outcome<typename F::Value, TallyOf<F>>>;
 
 namespace detail {
 
+/// The outcomes that share one value, which is all that a join sees of them: calls visit(value, them) in
+/// turn.
+template <class Value, class Tally, class Visit>
+void each_value(const std::vector<Outcome<Value, Tally>>& outcomes, Visit visit) {
+  for (auto begin = outcomes.begin(); begin != outcomes.end();) {
+    const auto end =
+        std::find_if(begin, outcomes.end(), [&](const auto& o) { return o.value != begin->value; });
+    visit(begin->value, std::span(begin, end));
+    begin = end;
+  }
+}
+
+/// Adds weight times the law of a.tally + b.tally + added.
+template <class Value, class Tally>
+void add_sums(std::span<const Outcome<Value, Tally>> as, std::span<const Outcome<Value, Tally>> bs,
+              const Tally& added, double weight, std::map<Tally, double>& sums) {
+  constexpr double negligible = 1e-30;
+  for (const auto& a : as)
+    for (const auto& b : bs) {
+      const double probability = weight * a.probability * b.probability;
+      if (probability < negligible) continue;
+      Tally tally = added;
+      (tally += a.tally) += b.tally;
+      sums[tally] += probability;
+    }
+}
+
 /// The outcomes of size n from those of all smaller sizes: the fold's join of every pair of them.
 template <class F>
 OutcomesOf<F> join_outcomes(const std::vector<double>& left_pmf, const std::vector<OutcomesOf<F>>& laws,
                             F& fold, ChoicePath& path) {
   using Value = typename F::Value;
-  constexpr double negligible = 1e-30;
   const Size n = left_pmf.size();
-  std::map<std::pair<Value, TallyOf<F>>, double> joined;
+  std::map<Value, std::map<TallyOf<F>, double>> joined;
   for (Size left = 0; left < n; ++left) {
     const Pair<Size> sizes{left, n - 1 - left};
-    for (const auto& a : laws[sizes[0]])
-      for (const auto& b : laws[sizes[1]]) {
-        const double weight = left_pmf[left] * a.probability * b.probability;
-        if (weight < negligible) continue;
+    each_value(laws[sizes[0]], [&](const Value& a, auto as) {
+      each_value(laws[sizes[1]], [&](const Value& b, auto bs) {
         path.clear();
         do {
           path.restart();
-          const Value value = fold.join(n, sizes, Pair<Value>{a.value, b.value});
-          TallyOf<F> tally = take_tally(fold);
-          (tally += a.tally) += b.tally;
-          joined[{value, tally}] += weight * path.probability();
+          const Value value = fold.join(n, sizes, Pair<Value>{a, b});
+          const TallyOf<F> added = take_tally(fold);
+          add_sums(as, bs, added, left_pmf[left] * path.probability(), joined[value]);
         } while (path.next());
-      }
+      });
+    });
   }
-  double sum = 0;
-  for (const auto& [outcome, probability] : joined) sum += probability;
   OutcomesOf<F> outcomes;
-  for (const auto& [outcome, probability] : joined)
-    outcomes.push_back({outcome.first, outcome.second, probability / sum});
+  double sum = 0;
+  for (const auto& [value, tallies] : joined)
+    for (const auto& [tally, probability] : tallies) {
+      outcomes.push_back({value, tally, probability});
+      sum += probability;
+    }
+  for (auto& outcome : outcomes) outcome.probability /= sum;
   return outcomes;
 }
 
