@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "ramify/core/number.hpp"
-#include "ramify/io/csv_reader.hpp"
 #include "ramify/io/csv_writer.hpp"
 #include "ramify/report/verdict_table.hpp"
+#include "ramify/text/csv_reader.hpp"
 
 namespace ramify {
 

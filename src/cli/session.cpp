@@ -25,7 +25,7 @@ std::vector<std::string> split_list(const std::string& text) {
     if (c == ')') --depth;
     if (c == ',' && depth == 0)
       items.emplace_back();
-    else if (c != ' ')
+    else if (c != ' ' || depth > 0)
       items.back() += c;
   }
   std::erase(items, "");

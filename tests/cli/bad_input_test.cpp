@@ -36,6 +36,11 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"ParameterInf", "sample --model 'beta(inf,1)' --n 10", "not a finite number"},
         Case{"ParameterZero", "sample --model 'beta(0,1)' --n 10", "above 0"},
         Case{"ParameterCount", "sample --model 'beta(1)' --n 10", "takes 2"},
+        Case{"FileWithoutPath", "sample --model file --n 10", "write file(PATH)"},
+        Case{"FileWithEmptyPath", "sample --model 'file( )' --n 10", "write file(PATH)"},
+        Case{"FileThatIsNotThere", "sample --model 'file(no_such.csv)' --n 10", "cannot read 'no_such.csv'"},
+        Case{"FileThatIsAFolder", "sample --model 'file(docs)' --n 10", "cannot read 'docs'"},
+        Case{"FileNeverClosed", "sample --model 'file(law.csv' --n 10", "a '(' without its ')'"},
         Case{"NegativeSize", "sample --model bst --n=-5", "whole number"},
         Case{"FractionalSize", "sample --model bst --n 10.5", "whole number"},
         Case{"SizeAbove2To62", "sample --model bst --n 4611686018427387905", "2^62"},
@@ -93,6 +98,76 @@ TEST(BadConfig, NamesFileLineAndColumn) {
     EXPECT_NE(ran.err.find("bad.toml:"), std::string::npos) << ran.err;
     EXPECT_NE(ran.err.find(c.says), std::string::npos) << c.text << ran.err;
     EXPECT_FALSE(std::filesystem::exists(scratch / "runs"));
+  }
+}
+
+/// Every refusal of a table of splits names its place in the file.
+TEST(BadSplitTable, NamesFileLineAndColumn) {
+  const Scratch scratch;
+  const std::string good = "n,left,probability\n2,0,0.5\n2,1,0.5\n";
+  const struct {
+    std::string text;
+    const char* says;
+  } cases[] = {
+      {"", "law.csv: no header"},
+      {"n,left,probability\n", "law.csv: no rows"},
+      {"n,left,p\n2,0,1\n", "no column 'probability'"},
+      {good + "3,0,1,1\n", ":4:7: a row of 4 field(s)"},
+      {good + "3,3,1\n", ":4:3: left = 3 in a tree of n = 3"},
+      {good + "3,-1,1\n", ":4:3: left = '-1' (not a whole number"},
+      {good + "3,0.5,1\n", ":4:3: left = '0.5' (not a whole number"},
+      {good + "0,0,1\n", ":4:1: n = 0"},
+      {good + "x,0,1\n", ":4:1: n = 'x' (not a whole number"},
+      {good + "3,0,-0.5\n", ":4:5: probability = -0.5"},
+      {good + "3,0,nan\n", ":4:5: probability = 'nan' (not a finite number"},
+      {good + "3,0,inf\n", ":4:5: probability = 'inf' (not a finite number"},
+      {good + "3,0,\n", ":4:5: probability = '' (a number is needed"},
+      {good + "3,0,0.5\n3,1,0.4\n", ":4: the probabilities of n = 3 sum to 0.9"},
+      {good + "3,0,0\n", ":4: the probabilities of n = 3 sum to 0 "},
+      {good + "3,0,0.5\n3,1,0.500000002\n", ":4: the probabilities of n = 3 sum to 1.000000002"},
+      {good + "3,0,1e308\n3,1,1e308\n", ":4: the probabilities of n = 3 sum to"},
+      {good + "3,0,0.5\n2,1,0.5\n3,2,0.5\n", ":5:3: n = 2, left = 1 twice (line 3"},
+      {good + "4,0,1\n", ":4:1: n = 4, and no row of n = 3"},
+      {"n,left,probability\n3,0,1\n", ":2:1: n = 3, and no row of n = 2"},
+      {"n,left,probability\n1,0,0.5\n", ":2: the probabilities of n = 1 sum to 0.5"},
+      {good + "18446744073709551615,0,1\n", "and no row of n = 3"},
+      {good + "3,\"0,1\n", ":4:3: a quote that is never closed"},
+  };
+  for (const auto& c : cases) {
+    const std::string model = "'file(" + scratch.file("law.csv", c.text) + ")'";
+    for (const char* verb : {"law --n 2 --statistic height --model ", "sample --n 2 --model "}) {
+      const Ran ran = ramify(verb + model);
+      EXPECT_EQ(ran.code, 2) << c.text;
+      EXPECT_EQ(ran.out, "");
+      EXPECT_EQ(count_lines(ran.err), 1u) << ran.err;
+      EXPECT_NE(ran.err.find("law.csv:"), std::string::npos) << ran.err;
+      EXPECT_NE(ran.err.find(c.says), std::string::npos) << c.says << '\n' << ran.err;
+    }
+  }
+}
+
+TEST(BadSplitTable, InAConfigNamesBothFiles) {
+  const Scratch scratch;
+  const std::string law = scratch.file("law (1).csv", "n,left,probability\n2,2,1\n");
+  const std::string config =
+      scratch.file("bad.toml", "models = [\"bst\", \"file(" + law +
+                                   ")\"]\nn = [2]\nreplicates = 5\nstatistics = [\"strahler\"]\n");
+  const Ran ran = ramify("run " + config + " --out " + (scratch / "runs").string());
+  EXPECT_EQ(ran.code, 2);
+  EXPECT_EQ(count_lines(ran.err), 1u) << ran.err;
+  EXPECT_NE(ran.err.find("bad.toml:1:"), std::string::npos) << ran.err;
+  EXPECT_NE(ran.err.find("law (1).csv:2:3: left = 2"), std::string::npos) << ran.err;
+  EXPECT_FALSE(std::filesystem::exists(scratch / "runs"));
+}
+
+TEST(BadSplitTable, IsAskedForNoMoreThanItHolds) {
+  const Scratch scratch;
+  const std::string model = "'file(" + scratch.file("law.csv", "n,left,probability\n2,0,1\n") + ")'";
+  for (const char* verb : {"law --n 2,3 --statistic height --model ", "sample --n 3 --model "}) {
+    const Ran ran = ramify(verb + model);
+    EXPECT_EQ(ran.code, 2);
+    EXPECT_EQ(count_lines(ran.err), 1u) << ran.err;
+    EXPECT_NE(ran.err.find("its table ends at n = 2"), std::string::npos) << ran.err;
   }
 }
 

@@ -34,6 +34,22 @@ TEST(Law, PrintsTheMeanCountsOfOrders) {
             "split(0.25),15,0,4,0,0\n");  // catalogue A6
 }
 
+TEST(Law, OfATableOfOnesOwn) {
+  const Scratch scratch;
+  const std::string text = "n,left,probability\n2,0,0.5\n2,1,0.5\n3,0,0.25\n3,1,0.5\n3,2,0.25\n";
+  std::filesystem::create_directory(scratch / "a, b");
+  const std::string path = scratch.file("a, b/law (1).csv", text);
+  EXPECT_EQ(ramify("law --model 'file(" + path + ")' --n 3 --statistic strahler").out,
+            "model,n,statistic,value,probability\n"
+            "\"file(" +
+                path +
+                ")\",3,strahler,1,0.5\n"
+                "\"file(" +
+                path + ")\",3,strahler,2,0.5\n");
+  EXPECT_EQ(ramify("theory --model 'file(" + path + "),catalan'").out.find("file"), std::string::npos);
+  EXPECT_EQ(ramify("theory --model 'file(" + path + "),catalan'").code, 0);
+}
+
 TEST(Law, OutputFileIsTheTable) {
   const Scratch scratch;
   const std::string what = "law --model 'beta(1,5)' --n 10:100:3 --statistic height --moments";

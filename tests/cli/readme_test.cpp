@@ -13,11 +13,12 @@ std::vector<std::string> commands(const std::string& text) {
   return found;
 }
 
-/// A folder that has what the pages assume: the project's data and configs, and the reader's own table.
+/// A folder that has what the pages assume: the project's data and configs, and the reader's own tables.
 void furnish(const Scratch& scratch) {
   for (const char* name : {"data", "configs"})
     std::filesystem::create_directory_symlink(std::filesystem::path(RAMIFY_SOURCE) / name, scratch / name);
   scratch.file("mine.csv", "order,count\n1,279\n2,52\n3,7\n4,1\n");
+  scratch.file("splits.csv", "n,left,probability\n2,0,0.5\n2,1,0.5\n3,0,0.25\n3,1,0.5\n3,2,0.25\n");
 }
 
 TEST(Pages, EveryCommandOfTheProgramRuns) {

@@ -10,6 +10,7 @@
 #include "support/goodness.hpp"
 #include "support/growing.hpp"
 #include "support/seed.hpp"
+#include "support/split_table_file.hpp"
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -81,23 +82,19 @@ std::vector<std::uint64_t> counts_of(const test::Tally& tally, std::size_t value
   return counts;
 }
 
-class Grafted : public testing::TestWithParam<std::string> {
- protected:
-  static constexpr Size n = 1500;  // one statistic is grafted at 256, several at 16 and 12
-  static constexpr std::uint64_t trees = 10'000;
-};
+constexpr Size grown_n = 1500;  // one statistic is grafted at 256, several at 16 and 12
+constexpr std::uint64_t grown_trees = 10'000;
 
-TEST_P(Grafted, SinglesHaveTheExactLawAndThatOfWholeTrees) {
-  const Model model = Model::parse(GetParam());
+void expect_singles_of_the_exact_law_and_of_whole_trees(const Model& model, const std::string& name) {
   std::vector<test::Tally> whole(singles.size());
-  sample(model, grow_full, n, trees, model.text() + " whole", [&](const TreeMeasures& m) {
+  sample(model, grow_full, grown_n, grown_trees, name + " whole", [&](const TreeMeasures& m) {
     for (std::size_t i = 0; i < singles.size(); ++i) ++whole[i][{m.*singles[i].value, 0}];
   });
   for (std::size_t i = 0; i < singles.size(); ++i) {
     const Single& single = singles[i];
-    const std::string what = model.text() + " " + single.name;
-    const auto grafted = tally_of(model, {single.pass, true}, n, trees, what, single.value);
-    auto pmf = single.pmf(model, n);
+    const std::string what = name + " " + single.name;
+    const auto grafted = tally_of(model, {single.pass, true}, grown_n, grown_trees, what, single.value);
+    auto pmf = single.pmf(model, grown_n);
     const auto counts = counts_of(grafted, pmf.size());
     pmf.resize(counts.size(), 0.0);
     EXPECT_TRUE(test::agrees(test::chi_square(what + ", exact law", counts, pmf)));
@@ -105,8 +102,7 @@ TEST_P(Grafted, SinglesHaveTheExactLawAndThatOfWholeTrees) {
   }
 }
 
-TEST_P(Grafted, JointPassesHaveTheLawsOfWholeTrees) {
-  const Model model = Model::parse(GetParam());
+void expect_joint_passes_of_the_laws_of_whole_trees(const Model& model, const std::string& name) {
   // Pairs, so that what belongs to different trees is not put together.
   using Pair = std::function<std::pair<std::uint64_t, std::uint64_t>(const TreeMeasures&)>;
   const std::vector<std::pair<std::string, Pair>> pairs{
@@ -116,8 +112,8 @@ TEST_P(Grafted, JointPassesHaveTheLawsOfWholeTrees) {
       {"depth and nodes 1", [](const TreeMeasures& m) { return std::pair{m.depth, m.nodes[1] / 8}; }}};
   const auto tallies = [&](SamplingMethod method, const std::string& tag) {
     std::vector<test::Tally> result(pairs.size());
-    sample(model, method, n, trees, tag + model.text(), [&](const TreeMeasures& m) {
-      ASSERT_EQ(m.size, n);
+    sample(model, method, grown_n, grown_trees, tag + name, [&](const TreeMeasures& m) {
+      ASSERT_EQ(m.size, grown_n);
       for (std::size_t i = 0; i < pairs.size(); ++i) ++result[i][pairs[i].second(m)];
     });
     return result;
@@ -125,18 +121,17 @@ TEST_P(Grafted, JointPassesHaveTheLawsOfWholeTrees) {
   const auto lean = tallies({Pass::lean, true}, "lean"), full = tallies({Pass::full, true}, "full"),
              whole = tallies(grow_full, "whole");
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const std::string what = model.text() + " " + pairs[i].first;
+    const std::string what = name + " " + pairs[i].first;
     EXPECT_TRUE(test::agrees(test::two_samples(what + ", full", full[i], whole[i])));
     if (i >= 2) continue;  // the lean pass knows no balance
     EXPECT_TRUE(test::agrees(test::two_samples(what + ", lean", lean[i], whole[i])));
   }
 }
 
-TEST_P(Grafted, CountsHaveTheExactMeans) {
-  const Model model = Model::parse(GetParam());
+void expect_counts_of_the_exact_means(const Model& model, const std::string& name) {
   const Size size = std::min<Size>(1200, law_limit(model));
   std::map<std::string, test::SampleMean> means;
-  sample(model, {Pass::lean, true}, size, trees, "counts" + model.text(), [&](const TreeMeasures& m) {
+  sample(model, {Pass::lean, true}, size, grown_trees, "counts" + name, [&](const TreeMeasures& m) {
     for (std::size_t k = 1; k <= 4; ++k) {
       means[fmt::format("nodes_{}", k)].add(static_cast<double>(m.nodes[k]));
       means[fmt::format("streams_{}", k)].add(static_cast<double>(m.streams[k]));
@@ -144,8 +139,32 @@ TEST_P(Grafted, CountsHaveTheExactMeans) {
   });
   const ExactMeans exact(model, size);
   for (const auto& [column, mean] : means)
-    EXPECT_TRUE(
-        test::agrees(test::z_test(model.text() + " " + column, mean, exact.moments(column, size)->mean)));
+    EXPECT_TRUE(test::agrees(test::z_test(name + " " + column, mean, exact.moments(column, size)->mean)));
+}
+
+class Grafted : public testing::TestWithParam<std::string> {};
+
+TEST_P(Grafted, SinglesHaveTheExactLawAndThatOfWholeTrees) {
+  expect_singles_of_the_exact_law_and_of_whole_trees(Model::parse(GetParam()), GetParam());
+}
+
+TEST_P(Grafted, JointPassesHaveTheLawsOfWholeTrees) {
+  expect_joint_passes_of_the_laws_of_whole_trees(Model::parse(GetParam()), GetParam());
+}
+
+TEST_P(Grafted, CountsHaveTheExactMeans) {
+  expect_counts_of_the_exact_means(Model::parse(GetParam()), GetParam());
+}
+
+// A third of the way or half of it, whatever n: holes in every row, and nothing that is symmetric.
+TEST(GraftedTable, HasTheLawsOfWholeTrees) {
+  std::string text = "n,left,probability\n2,0,1\n";
+  for (Size size = 3; size <= grown_n; ++size)
+    text += fmt::format("{0},{1},0.3\n{0},{2},0.7\n", size, size / 3 - 1, size / 2);
+  const test::SplitTableFile file(text);
+  expect_singles_of_the_exact_law_and_of_whole_trees(file.model(), "table");
+  expect_joint_passes_of_the_laws_of_whole_trees(file.model(), "table");
+  expect_counts_of_the_exact_means(file.model(), "table");
 }
 
 INSTANTIATE_TEST_SUITE_P(Every, Grafted, testing::ValuesIn(test::all_models()), [](const auto& instance) {

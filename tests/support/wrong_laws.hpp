@@ -15,7 +15,7 @@ namespace ramify::test {
 
 /// A BST that never puts everything on the left.
 struct ShortUniform {
-  static constexpr Size largest_size = max_size;
+  static constexpr Size largest_size() { return max_size; }
   static constexpr bool uses_table = false;
 
   template <class Urbg>
@@ -27,7 +27,7 @@ struct ShortUniform {
 
 /// Binomial(n, p) given X < n.
 struct ThesisBinomial {
-  static constexpr Size largest_size = max_double_size;
+  static constexpr Size largest_size() { return max_double_size; }
   static constexpr bool uses_table = true;
   double p;
 
@@ -43,7 +43,7 @@ struct ThesisBinomial {
 
 /// PATRICIA split on n strings.
 struct ShortPatricia {
-  static constexpr Size largest_size = max_double_size;
+  static constexpr Size largest_size() { return max_double_size; }
   static constexpr bool uses_table = true;
   double p;
 
@@ -56,7 +56,7 @@ struct ShortPatricia {
 
 /// C_i C_(n-2-i) in place of C_i C_(n-1-i).
 struct ShortCatalan {
-  static constexpr Size largest_size = max_double_size;
+  static constexpr Size largest_size() { return max_double_size; }
   static constexpr bool uses_table = true;
 
   template <class Urbg>

@@ -8,7 +8,7 @@
 
 #include "ramify/core/error.hpp"
 #include "ramify/io/atomic_file.hpp"
-#include "ramify/io/text_file.hpp"
+#include "ramify/text/text_file.hpp"
 
 namespace ramify {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "ramify/io/csv_reader.hpp"
 #include "ramify/io/csv_writer.hpp"
+#include "ramify/text/csv_reader.hpp"
 
 namespace ramify {
 namespace {

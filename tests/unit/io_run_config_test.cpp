@@ -4,7 +4,7 @@
 
 #include "ramify/core/error.hpp"
 #include "ramify/io/run_config.hpp"
-#include "ramify/io/text_file.hpp"
+#include "ramify/text/text_file.hpp"
 
 namespace ramify {
 namespace {

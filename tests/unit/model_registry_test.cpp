@@ -120,7 +120,7 @@ TEST(Models, AreListedOnceEachWithTheirSource) {
     EXPECT_FALSE(info.n_counts.empty());
   }
   EXPECT_EQ(names, (std::set<std::string_view>{"bst", "beta", "beta_multinomial", "split", "dst", "patricia",
-                                               "catalan"}));
+                                               "catalan", "file"}));
   for (const auto& info : models())
     if (info.name == "beta") {
       EXPECT_EQ(info.signature(), "beta(a,b)");

@@ -168,8 +168,8 @@ TEST(BinomialVariate, OfAPairHoldsAtItsEnds) {
     EXPECT_EQ(binomial_variate(stream, m, UnitPair{1, 0}), m);
     EXPECT_EQ(binomial_variate(stream, m, UnitPair{1e-300, 1}), 0u);
   }
-  // A mean of 1 or so: 1-p alone would be 11 % off.
-  const double p = 1e-15, expected = static_cast<double>(trials) * p;
+  // A mean of 0.2: log(1-p) from 1-p would be 30 % off.
+  const double p = 1.6e-16, expected = static_cast<double>(trials) * p;
   SampleMean low, high;
   for (int i = 0; i < 100000; ++i) {
     low.add(static_cast<double>(binomial_variate(stream, trials, UnitPair{p, 1 - p})));

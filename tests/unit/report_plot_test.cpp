@@ -8,8 +8,8 @@
 #include <unistd.h>
 
 #include "ramify/core/error.hpp"
-#include "ramify/io/text_file.hpp"
 #include "ramify/report/plot.hpp"
+#include "ramify/text/text_file.hpp"
 
 namespace ramify {
 namespace {

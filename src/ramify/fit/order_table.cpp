@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "ramify/fit/ratio_table.hpp"
-#include "ramify/io/located_error.hpp"
 #include "ramify/statistic/order_ratios.hpp"
+#include "ramify/text/located_error.hpp"
 
 namespace ramify {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "ramify/core/nearest_name.hpp"
 #include "ramify/fit/ratio_table.hpp"
-#include "ramify/io/located_error.hpp"
+#include "ramify/text/located_error.hpp"
 
 namespace ramify {
 namespace {

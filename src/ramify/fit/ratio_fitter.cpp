@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "ramify/fit/accepted_set.hpp"
-#include "ramify/io/located_error.hpp"
+#include "ramify/text/located_error.hpp"
 
 namespace ramify {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "ramify/io/located_error.hpp"
+#include "ramify/text/located_error.hpp"
 
 namespace ramify {
 namespace {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "ramify/fit/ratio_datum.hpp"
-#include "ramify/io/csv_reader.hpp"
+#include "ramify/text/csv_reader.hpp"
 
 namespace ramify {
 

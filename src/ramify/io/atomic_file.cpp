@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "ramify/io/located_error.hpp"
+#include "ramify/text/located_error.hpp"
 
 namespace ramify {
 namespace {

@@ -2,14 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <set>
-#include <tuple>
 
 #include <fmt/format.h>
 
 #include "ramify/io/run_grid.hpp"
-#include "ramify/io/text_file.hpp"
 #include "ramify/io/toml_value.hpp"
+#include "ramify/text/text_file.hpp"
 
 namespace ramify {
 namespace {
@@ -91,7 +91,7 @@ class GroupReader {
     } catch (const Error& error) {
       throw located(error, size.place.where());
     }
-    if (!seen_.emplace(model.value.name(), model.value.parameters(), size.value).second)
+    if (!seen_.insert(model.value.stream_cell(size.value)).second)
       size.place.fail(fmt::format("{} with n = {} twice", model.value.text(), size.value),
                       "the same cell would draw the same trees again", "remove one of them");
   }
@@ -110,7 +110,7 @@ class GroupReader {
   std::string_view file_;
   TomlTable defaults_;
   std::set<std::string> used_;
-  std::set<std::tuple<std::string, std::vector<double>, Size>> seen_;
+  std::set<std::uint64_t> seen_;  // what keys the streams of a cell: equal for equal models and sizes
 };
 
 }  // namespace

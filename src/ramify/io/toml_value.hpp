@@ -10,7 +10,7 @@
 #include <toml++/toml.h>
 
 #include "ramify/core/error.hpp"
-#include "ramify/io/located_error.hpp"
+#include "ramify/text/located_error.hpp"
 
 namespace ramify::detail {
 

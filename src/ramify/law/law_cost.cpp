@@ -44,6 +44,10 @@ RowCost rows(const Dst& law, double n) {
 RowCost rows(const Patricia& law, double n) {
   return binomial(n, law.p());
 }
+/// Between the first and the last entry of a row may be zeros: they cost as much.
+RowCost rows(const TabulatedSplit&, double n) {
+  return dense(n, 8, 24);
+}
 /// One entry a size: the call of a sum costs as much as 25.
 RowCost rows(const FixedSplit&, double n) {
   return {n * 25, 4, 24};

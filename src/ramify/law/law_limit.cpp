@@ -37,6 +37,11 @@ Limit limit(const Dst& law) {
 Limit limit(const Patricia& law) {
   return of_fraction(law.p());
 }
+/// Whatever it holds: it may be chains.
+Limit limit(const TabulatedSplit& law) {
+  const Size all = std::min<Size>(law.largest_size(), 2048);
+  return {all, all};
+}
 Limit limit(const FixedSplit& law) {
   return of_fraction(law.x());
 }

@@ -69,6 +69,21 @@ Fraction fraction(const Patricia& law) {
   return Fraction(law.p());
 }
 
+/// The beta law that has mean and variance of the middles of a row's cells; a table of chains gives a wide
+/// one.
+Fraction fraction(const TabulatedSplit& law, Size size) {
+  const auto pmf = law.pmf(std::clamp<Size>(size, 1, law.largest_size()));
+  const double n = static_cast<double>(pmf.size());
+  double mean = 0, square = 0;
+  for (std::size_t i = 0; i < pmf.size(); ++i) {
+    const double x = (static_cast<double>(i) + 0.5) / n;
+    mean += pmf[i] * x;
+    square += pmf[i] * x * x;
+  }
+  const double both = mean * (1 - mean) / std::max(square - mean * mean, 1e-9) - 1;
+  return {mean * both, (1 - mean) * both};
+}
+
 /// Over t = 0.001..1000.
 template <class F>
 double least(F f) {
@@ -111,6 +126,8 @@ double width(const Model& model, Size size, OfFraction of_fraction) {
       [&]<class Law>(const Law& law) {
         if constexpr (std::is_same_v<Law, Catalan>)
           return catalan_reach * std::sqrt(n);
+        else if constexpr (std::is_same_v<Law, TabulatedSplit>)
+          return of_fraction(fraction(law, size), n);
         else
           return of_fraction(fraction(law), n);
       },

@@ -68,6 +68,10 @@ void SplitRows::fill(const Catalan&, Size n) {
   for (Size i = 0; i < n; ++i) left_[i] = catalan_[i] * catalan_[n - 1 - i];
 }
 
+void SplitRows::fill(const TabulatedSplit& law, Size n) {
+  take({0, law.pmf(n)});
+}
+
 /// Puts i and n-1-i together.
 void SplitRows::fold(Size n) {
   const Size last = first_ + left_.size() - 1;

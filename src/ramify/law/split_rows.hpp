@@ -29,6 +29,7 @@ class SplitRows {
   void fill(const Dst& law, Size n);
   void fill(const Patricia& law, Size n);
   void fill(const Catalan&, Size n);
+  void fill(const TabulatedSplit& law, Size n);
   void take(WeightWindow window);
   void fold(Size n);
 

@@ -15,7 +15,7 @@ namespace ramify {
 /// a, b > 0 (tested from 0.01 to 1000); n <= 2^50. beta(1,1) is the BST.
 class Beta {
  public:
-  static constexpr Size largest_size = max_double_size;
+  static constexpr Size largest_size() { return max_double_size; }
   static constexpr bool uses_table = true;
 
   /// Throws Error unless a and b are finite and positive.
@@ -41,6 +41,8 @@ class Beta {
   /// P(left = i) = I_((i+1)/n)(a,b) - I_(i/n)(a,b), the difference taken on the side where the incomplete
   /// beta is small.
   double cell_probability(Size i, Size n) const;
+
+  friend bool operator==(const Beta&, const Beta&) = default;
 
  private:
   /// P(X < x) and P(X > x): the smaller of them to full relative precision.

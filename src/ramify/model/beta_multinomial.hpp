@@ -14,7 +14,7 @@ namespace ramify {
 /// a, b > 0 (tested from 0.01 to 1000); n <= 2^50. beta_multinomial(1,1) is the BST.
 class BetaMultinomial {
  public:
-  static constexpr Size largest_size = max_double_size;
+  static constexpr Size largest_size() { return max_double_size; }
   static constexpr bool uses_table = true;
 
   /// Throws Error unless a and b are finite and positive.
@@ -35,6 +35,8 @@ class BetaMultinomial {
   /// then there is a mode at either end. Relative error below 1e-10 (exact ratios outwards from a mode,
   /// scaled to sum 1). O(length).
   WeightWindow window(Size n, double cutoff) const;
+
+  friend bool operator==(const BetaMultinomial&, const BetaMultinomial&) = default;
 
  private:
   Size mode(Size last) const;

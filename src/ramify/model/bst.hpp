@@ -11,7 +11,7 @@ namespace ramify {
 /// Also beta(1,1), terminal growth (A16) and the Yule tree. Any n to 2^62. Devroye 1986.
 class Bst {
  public:
-  static constexpr Size largest_size = max_size;
+  static constexpr Size largest_size() { return max_size; }
   static constexpr bool uses_table = false;
 
   template <class Urbg>
@@ -21,6 +21,8 @@ class Bst {
 
   /// P(left = i) = 1/n.
   std::vector<double> pmf(Size n) const { return std::vector<double>(n, 1 / static_cast<double>(n)); }
+
+  friend bool operator==(const Bst&, const Bst&) = default;
 };
 
 }  // namespace ramify

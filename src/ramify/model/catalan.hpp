@@ -11,7 +11,7 @@ namespace ramify {
 /// segmental growth (A16) and the critical binary Galton-Watson tree given its size. n <= 2^50.
 class Catalan {
  public:
-  static constexpr Size largest_size = max_double_size;
+  static constexpr Size largest_size() { return max_double_size; }
   static constexpr bool uses_table = true;
 
   template <class Urbg>
@@ -32,6 +32,8 @@ class Catalan {
 
   /// g_i = C(2i,i) / 4^i, relative error below 1e-15.
   static double central_binomial(Size i);
+
+  friend bool operator==(const Catalan&, const Catalan&) = default;
 };
 
 }  // namespace ramify

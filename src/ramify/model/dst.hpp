@@ -13,7 +13,7 @@ namespace ramify {
 /// asymptotically; it also writes Binomial(n, p), which can leave the range 0..n-1 (X16).
 class Dst {
  public:
-  static constexpr Size largest_size = max_double_size;
+  static constexpr Size largest_size() { return max_double_size; }
   static constexpr bool uses_table = true;
 
   /// Throws Error unless 0 < p < 1.
@@ -28,6 +28,8 @@ class Dst {
 
   /// P(left = i) = C(n-1, i) p^i q^(n-1-i).
   std::vector<double> pmf(Size n) const;
+
+  friend bool operator==(const Dst&, const Dst&) = default;
 
  private:
   double p_;

@@ -11,7 +11,7 @@ namespace ramify {
 /// 1996, 2.5.1. The product n x is taken in double precision: x is the double nearest to what was written.
 class FixedSplit {
  public:
-  static constexpr Size largest_size = max_double_size;
+  static constexpr Size largest_size() { return max_double_size; }
   static constexpr bool uses_table = false;
 
   /// Throws Error unless 0 < x < 1.
@@ -28,6 +28,8 @@ class FixedSplit {
 
   /// 1 at floor(nx), 0 elsewhere.
   std::vector<double> pmf(Size n) const;
+
+  friend bool operator==(const FixedSplit&, const FixedSplit&) = default;
 
  private:
   double x_;

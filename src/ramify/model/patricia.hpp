@@ -15,7 +15,7 @@ namespace ramify {
 /// and B.2.
 class Patricia {
  public:
-  static constexpr Size largest_size = max_double_size;
+  static constexpr Size largest_size() { return max_double_size; }
   static constexpr bool uses_table = true;
 
   /// Throws Error unless 0 < p < 1.
@@ -33,6 +33,8 @@ class Patricia {
 
   /// The same without the tails below cutoff times the mode of Binomial(n+1, p).
   WeightWindow window(Size n, double cutoff) const;
+
+  friend bool operator==(const Patricia&, const Patricia&) = default;
 
  private:
   double p_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <optional>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,6 +11,7 @@
 #include "ramify/core/nearest_name.hpp"
 #include "ramify/core/number.hpp"
 #include "ramify/random/hash.hpp"
+#include "ramify/text/trimmed.hpp"
 
 namespace ramify {
 namespace {
@@ -31,38 +33,51 @@ const ModelInfo& find_model(const std::string& name) {
               did_you_mean(name, known_names()) + "see: ramify list models");
 }
 
+std::string without_space(std::string_view text) {
+  std::string compact(text);
+  std::erase_if(compact, [](unsigned char c) { return std::isspace(c) != 0; });
+  return compact;
+}
+
 struct Call {
   std::string name;
-  std::vector<std::string> arguments;
+  std::optional<std::string_view> inside;  ///< the parentheses; none of "name"
 };
 
-/// "name" or "name(x,y)".
-Call split_call(const std::string& text) {
+/// "name" or "name(...)".
+Call split_call(std::string_view text) {
   const auto open = text.find('(');
-  if (open == std::string::npos) return {text, {}};
-  if (text.back() != ')')
-    throw Error(fmt::format("model '{}'", text), "a '(' without its ')'", "write it like beta(10,80)");
-  Call call{text.substr(0, open), {}};
-  const std::string inside = text.substr(open + 1, text.size() - open - 2);
+  if (open == std::string_view::npos) return {without_space(text), std::nullopt};
+  const std::string_view rest = trimmed(text.substr(open + 1));
+  if (!rest.ends_with(')'))
+    throw Error(fmt::format("model '{}'", trimmed(text)), "a '(' without its ')'",
+                "write it like beta(10,80)");
+  return {without_space(text.substr(0, open)), rest.substr(0, rest.size() - 1)};
+}
+
+std::vector<std::string> split_arguments(const Call& call) {
+  std::vector<std::string> arguments;
+  if (!call.inside) return arguments;
+  const std::string inside = without_space(*call.inside);
   std::size_t begin = 0;
   for (;;) {
     const auto comma = inside.find(',', begin);
-    call.arguments.push_back(inside.substr(begin, comma - begin));
-    if (comma == std::string::npos) return call;
+    arguments.push_back(inside.substr(begin, comma - begin));
+    if (comma == std::string::npos) return arguments;
     begin = comma + 1;
   }
 }
 
-std::vector<double> read_parameters(const ModelInfo& info, const Call& call) {
-  if (call.arguments.size() != info.parameters.size())
-    throw Error(fmt::format("model '{}' has {} parameter(s)", call.name, call.arguments.size()),
+std::vector<double> read_parameters(const ModelInfo& info, const std::vector<std::string>& arguments) {
+  if (arguments.size() != info.parameters.size())
+    throw Error(fmt::format("model '{}' has {} parameter(s)", info.name, arguments.size()),
                 fmt::format("{} takes {}", info.name, info.parameters.size()),
                 fmt::format("write {}", info.signature()));
   std::vector<double> values;
-  for (std::size_t i = 0; i < call.arguments.size(); ++i) {
-    const auto value = parse_real(call.arguments[i]);
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const auto value = parse_real(arguments[i]);
     if (!value)
-      throw Error(fmt::format("{} with {} = '{}'", info.signature(), info.parameters[i], call.arguments[i]),
+      throw Error(fmt::format("{} with {} = '{}'", info.signature(), info.parameters[i], arguments[i]),
                   "not a finite number", "write a number or a fraction, such as 0.23 or 1/4.35");
     values.push_back(*value);
   }
@@ -126,6 +141,13 @@ const std::vector<ModelInfo>& models() {  // NOLINT(readability-function-size): 
        "equiprobable binary tree: left = i with C_i C_(n-1-i) / C_n",
        "A15; Flajolet, Raoult, Vuillemin 1979",
        [](std::span<const double>) -> AnySplitLaw { return Catalan(); }},
+      {"file",
+       {"PATH"},
+       internal_nodes,
+       "a CSV file n,left,probability; n up to its largest",
+       "a split law of one's own: P(left) for every n of a table",
+       "docs/own-models.md",
+       [](const std::filesystem::path& path) -> AnySplitLaw { return TabulatedSplit::read(path); }},
   };
   return all;
 }
@@ -137,29 +159,42 @@ Model::Model(std::string text, std::string name, std::vector<double> parameters,
       law_(std::move(law)) {}
 
 Model Model::parse(std::string_view text) {
-  std::string compact(text);
-  std::erase_if(compact, [](unsigned char c) { return std::isspace(c) != 0; });
-  const Call call = split_call(compact);
+  const Call call = split_call(text);
   const ModelInfo& info = find_model(call.name);
-  std::vector<double> parameters = read_parameters(info, call);
-  AnySplitLaw law = info.make(parameters);
-  return Model(std::move(compact), call.name, std::move(parameters), std::move(law));
+  if (const auto* from_file = std::get_if<FromFile>(&info.make)) {
+    const std::string path(trimmed(call.inside.value_or("")));
+    if (path.empty())
+      throw Error(fmt::format("model '{}' names no file", trimmed(text)), "its split law is read from one",
+                  fmt::format("write {}, such as {}(law.csv)", info.signature(), info.name));
+    return Model(fmt::format("{}({})", info.name, path), call.name, {}, (*from_file)(path));
+  }
+  const std::vector<std::string> arguments = split_arguments(call);
+  std::vector<double> parameters = read_parameters(info, arguments);
+  AnySplitLaw law = std::get<FromNumbers>(info.make)(parameters);
+  return Model(without_space(text), call.name, std::move(parameters), std::move(law));
 }
 
 Size Model::largest_size() const {
-  return std::visit([](const auto& law) { return std::decay_t<decltype(law)>::largest_size; }, law_);
+  return std::visit([](const auto& law) { return law.largest_size(); }, law_);
 }
 
 void Model::require_size(Size n) const {
   if (n <= largest_size()) return;
-  throw Error(fmt::format("n = {} for {}", n, text_),
+  const std::string problem = fmt::format("n = {} for {}", n, text_);
+  if (std::holds_alternative<TabulatedSplit>(law_))
+    throw Error(problem, fmt::format("its table ends at n = {}", largest_size()),
+                "take a smaller n, or add the larger ones to the file");
+  throw Error(problem,
               fmt::format("{} draws sizes up to {}: above, its arithmetic no longer reaches every index",
                           name_, largest_size()),
               "take a smaller n, or bst, which reaches 2^62");
 }
 
 std::uint64_t Model::stream_cell(Size n) const {
-  return hash_text(fmt::format("{}({})#{}", name_, fmt::join(parameters_, ","), n));
+  const auto* table = std::get_if<TabulatedSplit>(&law_);
+  const std::string values = table != nullptr ? fmt::format("{:016x}", table->hash())
+                                              : fmt::format("{}", fmt::join(parameters_, ","));
+  return hash_text(fmt::format("{}({})#{}", name_, values, n));
 }
 
 }  // namespace ramify

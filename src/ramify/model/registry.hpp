@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,11 +15,17 @@
 #include "ramify/model/dst.hpp"
 #include "ramify/model/fixed_split.hpp"
 #include "ramify/model/patricia.hpp"
+#include "ramify/model/tabulated_split.hpp"
 
 namespace ramify {
 
 /// The split law of any model; std::visit gives the concrete type, so nothing is virtual for each node.
-using AnySplitLaw = std::variant<Bst, Beta, BetaMultinomial, FixedSplit, Dst, Patricia, Catalan>;
+using AnySplitLaw =
+    std::variant<Bst, Beta, BetaMultinomial, FixedSplit, Dst, Patricia, Catalan, TabulatedSplit>;
+
+/// How a law comes from what stands between the parentheses: from numbers, or from a file.
+using FromNumbers = AnySplitLaw (*)(std::span<const double> parameters);
+using FromFile = AnySplitLaw (*)(const std::filesystem::path& path);
 
 /// What `ramify list models` says of a model.
 struct ModelInfo {
@@ -28,7 +35,7 @@ struct ModelInfo {
   std::string_view domain;                   ///< of the parameters
   std::string_view description;              ///< the split law in a line
   std::string_view source;                   ///< author year, catalogue number
-  AnySplitLaw (*make)(std::span<const double> parameters);
+  std::variant<FromNumbers, FromFile> make;
 
   /// "beta(a,b)"
   std::string signature() const;
@@ -40,13 +47,16 @@ const std::vector<ModelInfo>& models();
 /// A model with its parameters, as written on a command line or in a config.
 class Model {
  public:
-  /// "bst", "beta(10,80)", "patricia(1/4.35)"; white space is ignored. Throws Error for an unknown name
-  /// (nearest names given), a wrong number of parameters, a parameter that is no number or out of its domain.
+  /// "bst", "beta(10,80)", "patricia(1/4.35)"; white space is ignored. "file(PATH)" reads the file now; PATH
+  /// is all between the first ( and the last ). Throws Error for an unknown name (nearest names given), a
+  /// wrong number of parameters, a parameter that is no number or out of its domain, a file that holds no
+  /// split law.
   static Model parse(std::string_view text);
 
-  /// The model as written, without white space.
+  /// The model as written, without white space (but that of a path).
   const std::string& text() const { return text_; }
   const std::string& name() const { return name_; }
+  /// None of a file.
   const std::vector<double>& parameters() const { return parameters_; }
   const AnySplitLaw& law() const { return law_; }
 
@@ -55,14 +65,12 @@ class Model {
   /// Throws Error where n is larger than the model can draw.
   void require_size(Size n) const;
 
-  /// Hash of (model, n): the cell half of a StreamKey. Depends on the values of the parameters, not on how
-  /// they are written.
+  /// Hash of (model, n): the cell half of a StreamKey. Depends on the values of the parameters and the
+  /// content of a file, not on how they are written or where it is.
   std::uint64_t stream_cell(Size n) const;
 
-  /// Same name and same values of the parameters.
-  friend bool operator==(const Model& a, const Model& b) {
-    return a.name_ == b.name_ && a.parameters_ == b.parameters_;
-  }
+  /// Same law, however it is written.
+  friend bool operator==(const Model& a, const Model& b) { return a.law_ == b.law_; }
 
  private:
   Model(std::string text, std::string name, std::vector<double> parameters, AnySplitLaw law);

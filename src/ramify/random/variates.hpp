@@ -87,8 +87,8 @@ inline std::uint64_t invert_binomial(std::uint64_t trials, double odds, std::uin
 /// K ~ Binomial(trials, p) for a p that is itself a variate: p and 1-p to full relative precision, 0 and 1
 /// included.
 ///
-/// Rare successes are inverted here: Boost's inversion takes 1-p in double precision, which is 10 % off at p
-/// = 1e-15, and that is no rare p among 10^15 trials.
+/// Rare successes are inverted here: Boost's inversion takes 1-p in double precision, which is off by up to
+/// 5e-17, and a p of that order still comes to something among 2^50 trials.
 template <class Urbg>
 std::uint64_t binomial_variate(Urbg& stream, std::uint64_t trials, const UnitPair& p) {
   if (p.x > p.complement) return trials - binomial_variate(stream, trials, UnitPair{p.complement, p.x});

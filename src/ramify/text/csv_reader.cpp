@@ -1,4 +1,4 @@
-#include "ramify/io/csv_reader.hpp"
+#include "ramify/text/csv_reader.hpp"
 
 #include <algorithm>
 
@@ -8,19 +8,13 @@
 #include "ramify/core/contract.hpp"
 #include "ramify/core/nearest_name.hpp"
 #include "ramify/core/number.hpp"
-#include "ramify/io/csv_scanner.hpp"
-#include "ramify/io/located_error.hpp"
-#include "ramify/io/text_file.hpp"
+#include "ramify/text/csv_scanner.hpp"
+#include "ramify/text/located_error.hpp"
+#include "ramify/text/text_file.hpp"
+#include "ramify/text/trimmed.hpp"
 
 namespace ramify {
 namespace {
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view blank = " \t";
-  const auto first = text.find_first_not_of(blank);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(blank) - first + 1);
-}
 
 std::vector<std::string> read_header(detail::CsvScanner& scanner, std::string_view name) {
   scanner.skip_comments();

@@ -1,4 +1,4 @@
-#include "ramify/io/located_error.hpp"
+#include "ramify/text/located_error.hpp"
 
 #include <fmt/format.h>
 

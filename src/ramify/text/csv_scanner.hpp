@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
-#include "ramify/io/csv_reader.hpp"
-#include "ramify/io/located_error.hpp"
+#include "ramify/text/csv_reader.hpp"
+#include "ramify/text/located_error.hpp"
 
 namespace ramify::detail {
 

@@ -1,4 +1,4 @@
-#include "ramify/io/text_file.hpp"
+#include "ramify/text/text_file.hpp"
 
 #include <array>
 #include <cerrno>
@@ -8,15 +8,15 @@
 
 #include <fmt/format.h>
 
-#include "ramify/core/error.hpp"
+#include "ramify/text/located_error.hpp"
 
 namespace ramify {
 namespace {
 
 Error cannot_read(const std::filesystem::path& path, int reason) {
   const bool absent = reason == ENOENT || reason == ENOTDIR;
-  return Error(fmt::format("cannot read '{}'", path.string()), std::generic_category().message(reason),
-               absent ? "check the path" : "give a file that you may read");
+  return error_at({}, fmt::format("cannot read '{}'", path.string()), std::generic_category().message(reason),
+                  absent ? "check the path" : "give a file that you may read");
 }
 
 }  // namespace

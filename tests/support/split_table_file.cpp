@@ -1,0 +1,30 @@
+#include "support/split_table_file.hpp"
+
+#include <atomic>
+#include <fstream>
+#include <variant>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "ramify/core/number.hpp"
+
+namespace ramify::test {
+
+SplitTableFile::SplitTableFile(const std::string& text) {
+  static std::atomic<int> files{0};
+  path_ = std::filesystem::temp_directory_path() / fmt::format("ramify law ({}, {}).csv", getpid(), files++);
+  std::ofstream(path_, std::ios::binary) << text;
+}
+
+std::string split_table_of(const Model& model, Size largest) {
+  std::string text = "n,left,probability\n";
+  for (Size n = 2; n <= largest; ++n) {
+    const auto pmf = std::visit([n](const auto& law) { return law.pmf(n); }, model.law());
+    for (Size left = 0; left < n; ++left)
+      if (pmf[left] > 0) text += fmt::format("{},{},{}\n", n, left, format_exact(pmf[left]));
+  }
+  return text;
+}
+
+}  // namespace ramify::test
