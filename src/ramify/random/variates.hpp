@@ -54,10 +54,13 @@ double log_gamma_variate(Urbg& stream, double shape) {
 template <class Urbg>
 UnitPair beta_variate(Urbg& stream, double a, double b) {
   if (a >= 1 && b >= 1) {
-    const double left = gamma_variate(stream, a), right = gamma_variate(stream, b);
+    const double left = gamma_variate(stream, a);
+    const double right = gamma_variate(stream, b);
     return {left / (left + right), right / (left + right)};
   }
-  const double log_ratio = log_gamma_variate(stream, a) - log_gamma_variate(stream, b);
+  // One statement each: the order of two draws in one expression is the compiler's to choose.
+  const double log_left = log_gamma_variate(stream, a);
+  const double log_ratio = log_left - log_gamma_variate(stream, b);
   return {1 / (1 + std::exp(-log_ratio)), 1 / (1 + std::exp(log_ratio))};
 }
 
