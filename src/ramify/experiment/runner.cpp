@@ -42,8 +42,9 @@ class Run {
         samplers_(threads),
         open_(plan.cells.size()) {
     for (std::size_t c = 0; c < plan.cells.size(); ++c) {
-      if (!wanted[c]) continue;
-      add_blocks(c);
+      const Cell& cell = plan.cells[c];
+      grown_nodes_.push_back(GraftRule(cell.model, plan.method).grown_nodes(cell.n));
+      if (wanted[c]) add_blocks(c);
     }
     add_prototypes(wanted);
   }
@@ -66,7 +67,7 @@ class Run {
 
   void add_blocks(std::size_t c) {
     const Cell& cell = plan_.cells[c];
-    const std::uint64_t size = block_trees(GraftRule(cell.model, plan_.method).grown_nodes(cell.n));
+    const std::uint64_t size = block_trees(grown_nodes_[c]);
     std::size_t index = 0;
     for (std::uint64_t first = 0; first < cell.replicates; first += size)
       blocks_.push_back({c, first, std::min(first + size, cell.replicates), index++});
@@ -104,8 +105,7 @@ class Run {
   void finish(const Block& block, CellAccumulator sums) {
     const Cell& cell = plan_.cells[block.cell];
     const std::lock_guard lock(mutex_);
-    nodes_done_ += static_cast<double>(block.last - block.first) *
-                   GraftRule(cell.model, plan_.method).grown_nodes(cell.n);
+    nodes_done_ += static_cast<double>(block.last - block.first) * grown_nodes_[block.cell];
     OpenCell& open = open_[block.cell];
     open.blocks[block.index] = std::move(sums);
     if (observer_.progress) observer_.progress(nodes_done_);
@@ -119,6 +119,7 @@ class Run {
   const Plan& plan_;
   const Cancellation& cancellation_;
   const RunObserver& observer_;
+  std::vector<double> grown_nodes_;  // for a tree of each cell
   std::vector<Block> blocks_;
   Samplers prototypes_;
   std::vector<Samplers> samplers_;  // one set for each thread
