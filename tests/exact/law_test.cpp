@@ -12,6 +12,7 @@
 
 #include "ramify/law/balance_law.hpp"
 #include "ramify/law/build_law.hpp"
+#include "ramify/law/conditional_order_means.hpp"
 #include "ramify/law/depth_law.hpp"
 #include "ramify/law/exact_means.hpp"
 #include "ramify/law/fill_level_law.hpp"
@@ -289,6 +290,51 @@ TEST(OrderMoments, AreThoseOfAllTrees) {
         for (std::size_t b = 0; b < truth.size(); ++b)
           expect_near(law.covariance(n, count(a), count(b)), truth[a][b], 1e-12, text);
     }
+  }
+}
+
+/// E[X_a | S = order] over all trees, X nodes 1..3, then streams 1..3; NaN where no tree has the order.
+std::vector<Real> enumerated_means_given(Size n, std::size_t order, const Pmf& pmf) {
+  constexpr std::size_t orders = 3;
+  std::vector<Real> sum(2 * orders, 0);
+  Real total = 0;
+  for (const test::Shape& shape : test::all_shapes(n)) {
+    auto nodes = test::nodes_per_order(shape), streams = test::streams_per_order(shape);
+    if (nodes.size() != order + 1) continue;
+    nodes.resize(orders + 1);
+    streams.resize(orders + 1);
+    const Real p = probability(shape, pmf);
+    total += p;
+    for (std::size_t k = 0; k < orders; ++k) {
+      sum[k] += p * static_cast<Real>(nodes[k + 1]);
+      sum[orders + k] += p * static_cast<Real>(streams[k + 1]);
+    }
+  }
+  for (Real& mean : sum) mean /= total;
+  return sum;
+}
+
+TEST(ConditionalOrderMeans, AreThoseOfAllTrees) {
+  using ramify::OrderCount;
+  constexpr Size largest = 8;
+  for (const char* text : {"bst", "catalan", "patricia(0.23)", "dst(0.4)", "beta(2,5)"}) {
+    const Model model = Model::parse(text);
+    const auto means = ramify::build_law(model, largest, ramify::OrderMeans(largest));
+    const auto law = ramify::build_law(model, largest, ramify::ConditionalOrderMeans(means, largest));
+    for (Size n = 1; n <= largest; ++n)
+      for (std::size_t order = 1; order <= 3; ++order) {
+        const auto truth = enumerated_means_given(n, order, pmf_of(model));
+        for (std::size_t k = 1; k <= 3; ++k) {
+          const double nodes = law.mean(n, {OrderCount::Of::nodes, k}, order);
+          const double streams = law.mean(n, {OrderCount::Of::streams, k}, order);
+          if (std::isnan(truth[k - 1])) {
+            EXPECT_TRUE(std::isnan(nodes) && std::isnan(streams)) << text << " " << n << " " << order;
+          } else {
+            expect_near(nodes, truth[k - 1], 1e-12, text);
+            expect_near(streams, truth[k + 2], 1e-12, text);
+          }
+        }
+      }
   }
 }
 

@@ -1,9 +1,11 @@
 // Grafting changes nothing: grafted trees against the exact laws and against trees that are grown whole, for
 // every model and statistic; tables that are off by one size or of another model are found out.
 
+#include <cmath>
 #include <functional>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -24,6 +26,7 @@
 #include "ramify/law/strahler_law.hpp"
 #include "ramify/sample/graft_tables.hpp"
 #include "ramify/sample/tree_sampler.hpp"
+#include "ramify/statistic/order_ratios.hpp"
 
 namespace ramify {
 namespace {
@@ -128,10 +131,11 @@ void expect_joint_passes_of_the_laws_of_whole_trees(const Model& model, const st
   }
 }
 
-void expect_counts_of_the_exact_means(const Model& model, const std::string& name) {
-  const Size size = std::min<Size>(1200, law_limit(model));
+void expect_counts_of_the_exact_means(const Model& model, Pass pass, const std::string& name) {
+  // So that mean counts are grafted up to 16 or 32.
+  const Size size = std::min<Size>(pass == Pass::lean ? 1200 : 8192, law_limit(model));
   std::map<std::string, test::SampleMean> means;
-  sample(model, {Pass::lean, true}, size, grown_trees, "counts" + name, [&](const TreeMeasures& m) {
+  sample(model, {pass, true}, size, grown_trees, "counts" + name, [&](const TreeMeasures& m) {
     for (std::size_t k = 1; k <= 4; ++k) {
       means[fmt::format("nodes_{}", k)].add(static_cast<double>(m.nodes[k]));
       means[fmt::format("streams_{}", k)].add(static_cast<double>(m.streams[k]));
@@ -153,7 +157,7 @@ TEST_P(Grafted, JointPassesHaveTheLawsOfWholeTrees) {
 }
 
 TEST_P(Grafted, CountsHaveTheExactMeans) {
-  expect_counts_of_the_exact_means(Model::parse(GetParam()), GetParam());
+  expect_counts_of_the_exact_means(Model::parse(GetParam()), Pass::lean, GetParam());
 }
 
 // A third of the way or half of it, whatever n: holes in every row, and nothing that is symmetric.
@@ -164,13 +168,65 @@ TEST(GraftedTable, HasTheLawsOfWholeTrees) {
   const test::SplitTableFile file(text);
   expect_singles_of_the_exact_law_and_of_whole_trees(file.model(), "table");
   expect_joint_passes_of_the_laws_of_whole_trees(file.model(), "table");
-  expect_counts_of_the_exact_means(file.model(), "table");
+  expect_counts_of_the_exact_means(file.model(), Pass::lean, "table");
 }
 
 INSTANTIATE_TEST_SUITE_P(Every, Grafted, testing::ValuesIn(test::all_models()), [](const auto& instance) {
   std::string name = instance.param.substr(0, instance.param.find('('));
   return name + std::to_string(instance.index);
 });
+
+// ---- mean counts ----
+
+constexpr Size averaged_n = 60'000;  // subtrees are averaged up to 128
+
+struct RatioSample {
+  test::SampleMean ratio, square;  ///< streams mean ratio, and its squared distance from `centre`
+  test::Tally orders;
+};
+
+RatioSample sample_ratios(const Model& model, Pass pass, double centre, const std::string& tag) {
+  RatioSample result;
+  sample(model, {pass, true}, averaged_n, 4000, tag, [&](const TreeMeasures& m) {
+    const double ratio = order_ratios(std::span(m.streams).first(m.strahler + 1)).mean_ratio;
+    result.ratio.add(ratio);
+    result.square.add((ratio - centre) * (ratio - centre));
+    ++result.orders[{m.strahler, 0}];
+  });
+  return result;
+}
+
+test::Goodness difference(const std::string& what, const test::SampleMean& a, const test::SampleMean& b) {
+  const double z = (a.mean() - b.mean()) / std::hypot(a.standard_error(), b.standard_error());
+  return {what, z, 0, std::erfc(std::abs(z) / std::sqrt(2.0))};
+}
+
+class MeanCountsOf : public testing::TestWithParam<const char*> {};
+
+TEST_P(MeanCountsOf, HaveTheExactMeans) {
+  expect_counts_of_the_exact_means(Model::parse(GetParam()), Pass::mean_counts, GetParam());
+}
+
+// Order, ratio and its spread, which the averaging of the low orders hardly touches.
+TEST_P(MeanCountsOf, LeaveTheRatiosOfTrees) {
+  const Model model = Model::parse(GetParam());
+  const std::string name = GetParam();
+  const auto centre = sample_ratios(model, Pass::lean, 0, name + " centre").ratio.mean();
+  const auto counted = sample_ratios(model, Pass::lean, centre, name + " counted");
+  const auto averaged = sample_ratios(model, Pass::mean_counts, centre, name + " averaged");
+  EXPECT_TRUE(test::agrees(test::two_samples(name + " order", counted.orders, averaged.orders)));
+  EXPECT_TRUE(test::agrees(difference(name + " ratio", counted.ratio, averaged.ratio)));
+  EXPECT_TRUE(test::agrees(difference(name + " spread", counted.square, averaged.square)));
+}
+
+TEST(MeanCounts, OfTheNextModelAreFoundOut) {
+  const auto right = sample_ratios(Model::parse("patricia(0.30)"), Pass::mean_counts, 0, "right");
+  const auto wrong = sample_ratios(Model::parse("patricia(0.29)"), Pass::mean_counts, 0, "wrong");
+  EXPECT_TRUE(test::rejected(difference("p = 0.30 and 0.29", right.ratio, wrong.ratio)));
+}
+
+INSTANTIATE_TEST_SUITE_P(Fitted, MeanCountsOf,
+                         testing::Values("patricia(0.3)", "patricia(0.15)", "dst(0.23)", "bst"));
 
 // ---- tables that are wrong ----
 

@@ -63,11 +63,14 @@ TEST(FitData, LungTable) {
   EXPECT_EQ(data[1].ratio, 2.74);
   EXPECT_EQ(data[1].diameter_ratio->value, 1.40);
   EXPECT_DOUBLE_EQ(data[1].diameter_ratio->rounding, 0.005);
-  for (const RatioDatum& datum : data) {
-    ASSERT_EQ(datum.sizes.size(), 1u);
+  for (const RatioDatum& datum : data) {  // the part that the thesis draws, and the whole: 17 orders
+    ASSERT_EQ(datum.sizes.size(), 2u);
     EXPECT_EQ(datum.sizes[0].n, 1000u);
     EXPECT_EQ(datum.sizes[0].source, "portion");
+    EXPECT_EQ(datum.sizes[1].source, "horton");
   }
+  EXPECT_EQ(data[0].sizes[1].n, 431'516'064u);
+  EXPECT_EQ(data[1].sizes[1].n, 15'893'162u);
 }
 
 TEST(FitData, HortonSize) {

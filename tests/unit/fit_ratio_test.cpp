@@ -166,10 +166,27 @@ TEST(FitRatio, MurrayExponent) {
   EXPECT_NEAR(murray.upper, std::log(2.745) / std::log(1.395), 1e-12);
 }
 
+// From largest_counted on the counts of small subtrees are averaged: no step in what is fitted.
+TEST(FitRatio, MeetsItselfWhereAveragingBegins) {
+  const Cancellation cancellation;
+  const ResponseRequest request{0.3, 200};
+  const auto at = [&](Size n) {
+    return ResponseSurface("patricia", n, test::seed_of("averaging"), 2, cancellation)
+        .sample(std::span(&request, 1))[0];
+  };
+  const ResponsePoint counted = at(ResponseSurface::largest_counted),
+                      averaged = at(ResponseSurface::largest_counted + 1);
+  for (std::size_t e = 0; e < ratio_estimator_count; ++e) {
+    const ResponseSummary &a = counted.summary[e], &b = averaged.summary[e];
+    // Of trees of one order the geometric ratio is a function of n alone.
+    EXPECT_NEAR(a.mean, b.mean, clear * std::hypot(a.standard_error, b.standard_error) + 1e-6);
+  }
+}
+
 TEST(FitRatio, RefusesSizesThatCannotBeGrown) {
   const Cancellation cancellation;
   try {
-    fit_ratio(datum_of("a,3,1000000000"), options(1000), cancellation);
+    fit_ratio(datum_of("a,3,2000000000"), options(1000), cancellation);
     FAIL();
   } catch (const Error& error) {
     EXPECT_TRUE(std::string(error.what()).starts_with("x.csv:2: ")) << error.what();

@@ -32,7 +32,7 @@ TEST(GraftRule, IsSmallBesideTheTreeAndFitsTheTally) {
   for (const char* text : {"bst", "beta(2,2)", "split(0.3)", "dst(0.23)", "patricia(0.23)", "catalan"}) {
     const Model model = Model::parse(text);
     for (const Pass pass : {Pass::lean, Pass::full, Pass::strahler, Pass::height, Pass::fill_level,
-                            Pass::balance, Pass::depth}) {
+                            Pass::balance, Pass::depth, Pass::mean_counts}) {
       const GraftRule rule(model, {pass, true}), whole(model, {pass, false});
       Size last = 0;
       for (Size n = 1; n <= Size{1} << 40; n *= 2) {

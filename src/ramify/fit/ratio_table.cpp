@@ -61,22 +61,25 @@ void require_leaf_order(const CsvData& table, std::size_t row) {
   count_at(table, row, "leaf_order", 0, 1);
 }
 
+/// Of the portion that is to be modelled, if one is named, and of the whole tree.
 std::vector<SizeChoice> sizes_at(const CsvData& table, std::size_t row, double ratio) {
+  std::vector<SizeChoice> sizes;
   if (const auto n = count_at(table, row, "portion", 2, max_size))
-    return {{*n, "portion", "a part of a larger tree"}};
-  if (const auto n = count_at(table, row, "branches", 2, max_size)) return {{*n, "printed", ""}};
+    sizes.push_back({*n, "portion", "a part of a larger tree"});
+  if (const auto n = count_at(table, row, "branches", 2, max_size)) {
+    sizes.push_back({*n, "printed", ""});
+    return sizes;
+  }
   const auto low = count_at(table, row, "max_order_low", 2, largest_order);
   const auto high = count_at(table, row, "max_order_high", 2, largest_order);
   if (low && high && *low > *high) {
     throw error_at(table.where(row, "max_order_high"), fmt::format("max_order_high {}", *high),
                    fmt::format("it is below max_order_low {}", *low), "exchange them");
   }
-  std::vector<SizeChoice> sizes;
-  for (const auto order : {low, high}) {
-    if (!order || (order == high && low == high && !sizes.empty())) continue;
-    sizes.push_back(
-        {horton_size(ratio, *order), "horton", fmt::format("n = (R^{0} - 1)/(R - 1), order {0}", *order)});
-  }
+  for (const auto& order : {low, low == high ? std::nullopt : high})
+    if (order)
+      sizes.push_back(
+          {horton_size(ratio, *order), "horton", fmt::format("n = (R^{0} - 1)/(R - 1), order {0}", *order)});
   return sizes;
 }
 

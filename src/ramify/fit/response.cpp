@@ -1,8 +1,11 @@
 #include "ramify/fit/response.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <deque>
 #include <memory>
+#include <mutex>
 
 #include <fmt/format.h>
 
@@ -20,21 +23,42 @@ constexpr std::uint64_t trees_of_block = 64;
 constexpr double largest_step = 0.08;
 constexpr double points_of_period = 6;
 
+/// The trees of one request while they are grown, by several threads.
+class Growth {
+ public:
+  Growth(const SamplerOrder& order, StreamKey key, std::uint64_t trees)
+      : order_(order), key_(key), values_(trees), trees_left_(trees) {}
+
+  /// Grows the trees first..last-1. The sampler's tables are made by the first call and dropped by the last:
+  /// those of a whole grid would take gigabytes.
+  void grow(std::uint64_t first, std::uint64_t last) {
+    std::call_once(made_, [this] { sampler_ = make_tree_sampler(order_); });
+    const auto sampler = sampler_->clone();
+    TreeMeasures measures;
+    for (std::uint64_t replicate = first; replicate < last; ++replicate) {
+      sampler->sample(order_.largest_n, key_, replicate, measures);
+      values_[replicate] = ratio_values(measures);
+    }
+    if ((trees_left_ -= last - first) == 0) sampler_.reset();
+  }
+
+  std::span<const RatioValues> values() const { return values_; }
+
+ private:
+  SamplerOrder order_;
+  StreamKey key_;
+  std::vector<RatioValues> values_;
+  std::once_flag made_;
+  std::unique_ptr<TreeSampler> sampler_;
+  std::atomic<std::uint64_t> trees_left_;
+};
+
 /// Trees of one request that one thread grows in one go.
 struct Block {
-  std::size_t request;
+  Growth* growth;
   std::uint64_t first;
   std::uint64_t last;
 };
-
-std::vector<Block> divide(std::span<const ResponseRequest> requests) {
-  std::vector<Block> blocks;
-  for (std::size_t i = 0; i < requests.size(); ++i) {
-    for (std::uint64_t first = 0; first < requests[i].trees; first += trees_of_block)
-      blocks.push_back({i, first, std::min(first + trees_of_block, requests[i].trees)});
-  }
-  return blocks;
-}
 
 /// Linear interpolation between the order statistics (Hyndman and Fan 1996, type 7).
 double quantile(std::span<const double> sorted, double level) {
@@ -75,30 +99,24 @@ ResponseSurface::ResponseSurface(std::string model, Size n, std::uint64_t seed, 
 }
 
 std::vector<ResponsePoint> ResponseSurface::sample(std::span<const ResponseRequest> requests) const {
-  std::vector<std::unique_ptr<TreeSampler>> samplers(requests.size());
-  std::vector<StreamKey> keys(requests.size());
-  std::vector<std::vector<RatioValues>> values(requests.size());
-  parallel_for(requests.size(), threads_, [&](std::size_t i, unsigned) {
-    const Model model = Model::parse(fmt::format("{}({})", model_, format_exact(requests[i].p)));
-    samplers[i] = make_tree_sampler({model, {Pass::lean, true}, n_, cancellation_});
-    keys[i] = {seed_, model.stream_cell(n_)};
-    values[i].resize(requests[i].trees);
-  });
-  const std::vector<Block> blocks = divide(requests);
+  const Pass pass = n_ <= largest_counted ? Pass::lean : Pass::mean_counts;
+  std::deque<Growth> growths;  // Growth does not move
+  std::vector<Block> blocks;
+  for (const ResponseRequest& request : requests) {
+    const Model model = Model::parse(fmt::format("{}({})", model_, format_exact(request.p)));
+    Growth& growth = growths.emplace_back(SamplerOrder{model, {pass, true}, n_, cancellation_},
+                                          StreamKey{seed_, model.stream_cell(n_)}, request.trees);
+    for (std::uint64_t first = 0; first < request.trees; first += trees_of_block)
+      blocks.push_back({&growth, first, std::min(first + trees_of_block, request.trees)});
+  }
   parallel_for(blocks.size(), threads_, [&](std::size_t b, unsigned) {
     // The sampler looks once in a million nodes, but it is a new one for every block.
     if (cancellation_->requested()) throw Interrupted();
-    const Block& block = blocks[b];
-    const auto sampler = samplers[block.request]->clone();
-    TreeMeasures measures;
-    for (std::uint64_t replicate = block.first; replicate < block.last; ++replicate) {
-      sampler->sample(n_, keys[block.request], replicate, measures);
-      values[block.request][replicate] = ratio_values(measures);
-    }
+    blocks[b].growth->grow(blocks[b].first, blocks[b].last);
   });
   std::vector<ResponsePoint> points;
   for (std::size_t i = 0; i < requests.size(); ++i)
-    points.push_back({requests[i].p, requests[i].trees, summarise(values[i])});
+    points.push_back({requests[i].p, requests[i].trees, summarise(growths[i].values())});
   return points;
 }
 

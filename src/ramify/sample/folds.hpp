@@ -1,11 +1,13 @@
 #pragma once
 
+#include <concepts>
 #include <numeric>
 #include <type_traits>
 #include <utility>
 
 #include "ramify/law/choice_path.hpp"
 #include "ramify/random/stream.hpp"
+#include "ramify/sample/mean_counts.hpp"
 #include "ramify/statistic/balance.hpp"
 #include "ramify/statistic/fill_level.hpp"
 #include "ramify/statistic/height.hpp"
@@ -51,7 +53,9 @@ template <class Walk>
 void record(const LastNodeDepthOf<Walk>&, std::uint32_t root, TreeMeasures& measures) {
   measures.depth = root;
 }
-inline void record(const HortonStrahler& orders, HortonStrahler::Value root, TreeMeasures& measures) {
+template <class Orders>
+  requires std::same_as<Orders, HortonStrahler> || std::same_as<Orders, MeanCounts>
+void record(const Orders& orders, HortonStrahler::Value root, TreeMeasures& measures) {
   measures.strahler = root;
   measures.nodes = orders.nodes();
   measures.streams = orders.streams();

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "ramify/law/law_cost.hpp"
+#include "ramify/sample/mean_counts.hpp"
 
 namespace ramify {
 namespace {
@@ -23,6 +24,8 @@ Size largest_table(const Model& model, Pass pass) {
       return 12;
     case Pass::lean:
       return 28;
+    case Pass::mean_counts:
+      return MeanCounts::largest_grafted;
     case Pass::height:
       return std::bit_floor(largest_affordable(model, LawKind::height, table_cost));
     case Pass::strahler:
@@ -36,12 +39,27 @@ Size largest_table(const Model& model, Pass pass) {
 /// The tables grow by a factor of 5 from step to step: more trees must pay for them.
 Size lean_graft(Size n) {
   if (n < Size{1} << 16) return 16;
-  if (n < Size{1} << 22) return 20;
-  return n < Size{1} << 28 ? 26 : 28;
+  return n < Size{1} << 22 ? 20 : 28;
+}
+
+/// At least some 400 subtrees are grafted, so that what their averages leave out is small (mean_counts.hpp).
+Size mean_counts_graft(Size n) {
+  return std::min<Size>(n < Size{1} << 26 ? 2048 : MeanCounts::largest_grafted, std::bit_floor(n / 256));
 }
 
 Size single_graft(Size n) {
   return std::bit_floor(static_cast<Size>(8 * std::sqrt(static_cast<double>(n))));
+}
+
+Size graft(Pass pass, Size n) {
+  switch (pass) {
+    case Pass::lean:
+      return lean_graft(n);
+    case Pass::mean_counts:
+      return mean_counts_graft(n);
+    default:
+      return single_graft(n);
+  }
 }
 
 }  // namespace
@@ -53,7 +71,7 @@ GraftRule::GraftRule(const Model& model, SamplingMethod method)
 
 Size GraftRule::size(Size n) const {
   if (n < smallest_grafted) return 0;
-  return std::min(largest_, method_.pass == Pass::lean ? lean_graft(n) : single_graft(n));
+  return std::min(largest_, graft(method_.pass, n));
 }
 
 double GraftRule::grown_nodes(Size n) const {

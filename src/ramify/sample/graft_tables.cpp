@@ -2,6 +2,7 @@
 
 #include "ramify/law/balance_law.hpp"
 #include "ramify/law/build_law.hpp"
+#include "ramify/law/conditional_order_means.hpp"
 #include "ramify/law/fill_level_law.hpp"
 #include "ramify/law/height_law.hpp"
 #include "ramify/law/strahler_law.hpp"
@@ -50,6 +51,29 @@ GraftTableOf<F> tabulate(const Model& model, Size largest, const Cancellation& c
   return table;
 }
 
+MeanCounts::Tally mean_tally(const ConditionalOrderMeans& law, Size n, std::size_t order) {
+  std::vector<double> nodes, streams;
+  for (std::size_t k = 1; k <= order; ++k) {
+    nodes.push_back(law.mean(n, {OrderCount::Of::nodes, k}, order));
+    streams.push_back(law.mean(n, {OrderCount::Of::streams, k}, order));
+  }
+  return MeanCounts::Tally::of(nodes, streams);
+}
+
+template <std::same_as<MeanCounts> F>
+GraftTableOf<F> tabulate(const Model& model, Size largest, const Cancellation& cancellation) {
+  const auto means = build_law(model, largest, OrderMeans(largest), cancellation);
+  const auto given_order = build_law(model, largest, ConditionalOrderMeans(means, largest), cancellation);
+  GraftTableOf<F> table;
+  for (Size n = 0; n <= largest; ++n) {
+    OutcomesOf<F> possible;
+    for (const auto& order : outcomes<Strahler>(means.strahler(), n))
+      possible.push_back({order.value, mean_tally(given_order, n, order.value), order.probability});
+    table.append(std::move(possible));
+  }
+  return table;
+}
+
 template <class F>
 GraftTableOf<F> tabulate(const Model& model, Size largest, const Cancellation& cancellation) {
   GraftTableOf<F> table;
@@ -77,6 +101,8 @@ template std::shared_ptr<const GraftTableOf<FillLevel>> make_graft_table<FillLev
                                                                                     const Cancellation&);
 template std::shared_ptr<const GraftTableOf<Balance>> make_graft_table<Balance>(const Model&, Size,
                                                                                 const Cancellation&);
+template std::shared_ptr<const GraftTableOf<MeanCounts>> make_graft_table<MeanCounts>(const Model&, Size,
+                                                                                      const Cancellation&);
 template std::shared_ptr<const GraftTableOf<LeanFold>> make_graft_table<LeanFold>(const Model&, Size,
                                                                                   const Cancellation&);
 template std::shared_ptr<const GraftTableOf<FullFold>> make_graft_table<FullFold>(const Model&, Size,

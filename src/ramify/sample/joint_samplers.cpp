@@ -11,4 +11,8 @@ std::unique_ptr<TreeSampler> full_sampler(const SamplerOrder& order) {
   return make_sampler_of<FullFold>(order);
 }
 
+std::unique_ptr<TreeSampler> mean_counts_sampler(const SamplerOrder& order) {
+  return make_sampler_of<MeanCounts>(order);
+}
+
 }  // namespace ramify::detail

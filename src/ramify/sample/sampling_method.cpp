@@ -33,6 +33,7 @@ std::string_view describe(Pass pass) {
   const auto* single = std::find_if(single_passes.begin(), single_passes.end(),
                                     [pass](const auto& entry) { return entry.pass == pass; });
   if (single != single_passes.end()) return single->name;
+  if (pass == Pass::mean_counts) return "order, and mean counts,";
   return pass == Pass::lean ? "order, height and counts" : "all statistics";
 }
 

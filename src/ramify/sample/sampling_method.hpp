@@ -6,13 +6,14 @@ namespace ramify {
 
 /// What is folded while a tree grows.
 enum class Pass {
-  lean,        ///< order, height, counts of nodes and streams
-  full,        ///< all there is
-  strahler,    ///< the order of the root alone
-  height,      ///< alone
-  fill_level,  ///< alone
-  balance,     ///< alone
-  depth,       ///< the walk to the last node: nothing is grown beside it
+  lean,         ///< order, height, counts of nodes and streams
+  full,         ///< all there is
+  strahler,     ///< the order of the root alone
+  height,       ///< alone
+  fill_level,   ///< alone
+  balance,      ///< alone
+  depth,        ///< the walk to the last node: nothing is grown beside it
+  mean_counts,  ///< order, and counts of which the small subtrees are averaged (mean_counts.hpp)
 };
 
 /// How the trees of a run are sampled: a fixed function of the statistics that are asked for.

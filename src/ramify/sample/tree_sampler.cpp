@@ -11,6 +11,8 @@ std::unique_ptr<TreeSampler> make_tree_sampler(const SamplerOrder& order) {
       return detail::lean_sampler(order);
     case Pass::full:
       return detail::full_sampler(order);
+    case Pass::mean_counts:
+      return detail::mean_counts_sampler(order);
     case Pass::strahler:
       return detail::strahler_sampler(order);
     case Pass::height:

@@ -13,17 +13,22 @@ struct NoTally {
   friend auto operator<=>(const NoTally&, const NoTally&) = default;
 };
 
-/// A fold whose tally can be taken from it for a small tree and given back to it for a grafted one.
+/// A fold that keeps a tally beside its values, and takes that of a grafted tree.
 ///
 /// Requirements on a fold f of such a kind:
-///   F::Tally            ordered, adds up with +=, value-initialised to nothing
-///   F::largest_tallied  the largest tree that a Tally can hold
-///   f.take_tally()      what join has added since the last call; that of external nodes is left out
+///   F::Tally            adds up with +=, value-initialised to nothing
 ///   f.add_tally(n, t)   adds a whole subtree with n internal nodes, its external nodes included
 template <class F>
-concept Tallied = requires(F& fold, Size n, const typename F::Tally& tally) {
+concept AddsTally = requires(F& fold, Size n, const typename F::Tally& tally) { fold.add_tally(n, tally); };
+
+/// A fold whose tally can also be taken from it for a small tree, to build the law of it.
+///
+///   F::Tally            ordered
+///   F::largest_tallied  the largest tree that a Tally can hold
+///   f.take_tally()      what join has added since the last call; that of external nodes is left out
+template <class F>
+concept Tallied = AddsTally<F> && requires(F& fold) {
   { fold.take_tally() } -> std::same_as<typename F::Tally>;
-  fold.add_tally(n, tally);
   { F::largest_tallied } -> std::convertible_to<Size>;
 };
 
@@ -31,7 +36,7 @@ template <class F>
 struct TallyOfFold {
   using type = NoTally;
 };
-template <Tallied F>
+template <AddsTally F>
 struct TallyOfFold<F> {
   using type = typename F::Tally;
 };
@@ -58,7 +63,7 @@ TallyOf<F> take_tally(F& fold) {
 
 template <class F>
 void add_tally(F& fold, Size n, const TallyOf<F>& tally) {
-  if constexpr (Tallied<F>) fold.add_tally(n, tally);
+  if constexpr (AddsTally<F>) fold.add_tally(n, tally);
 }
 
 }  // namespace ramify
