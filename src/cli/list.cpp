@@ -25,15 +25,20 @@ std::string model_table() {
 /// What is known without sampling, and how large trees are sampled.
 std::string sampling_of(const StatisticInfo& info) {
   if (info.measure == Measure::size) return "known";
-  const auto& laws = law_statistics();
-  const bool has_law = std::find(laws.begin(), laws.end(), info.name) != laws.end();
-  const std::string known = has_law ? "exact law; " : info.per_order ? "exact moments; " : "";
+  const auto is_in = [&info](const auto& names) {
+    return std::find(names.begin(), names.end(), info.name) != names.end();
+  };
+  const bool has_moments = is_in(moment_statistics()) || info.shape == Columns::orders;
+  const std::string known = is_in(law_statistics()) ? "exact law; " : has_moments ? "exact moments; " : "";
   const std::array<std::string, 1> alone{std::string(info.name)};
   switch (sampling_method(StatisticSet::parse(alone), true).pass) {
     case Pass::lean:
     case Pass::full:
       return known + "grafted with others";
+    case Pass::all:
+      return known + "every node grown";
     case Pass::depth:
+    case Pass::external_depth:
       return known + "walked alone, grafted with others";
     default:
       return known + "grafted alone or with others";

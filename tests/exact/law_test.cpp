@@ -18,6 +18,7 @@
 #include "ramify/law/fill_level_law.hpp"
 #include "ramify/law/height_law.hpp"
 #include "ramify/law/law_limit.hpp"
+#include "ramify/law/node_sum_law.hpp"
 #include "ramify/law/order_means.hpp"
 #include "ramify/law/order_moments.hpp"
 #include "ramify/law/strahler_law.hpp"
@@ -229,6 +230,13 @@ TEST(ExactMeans, SaysWhatItDoesNotKnow) {
   EXPECT_EQ(exact.moments("size", 20)->variance, 0);
   EXPECT_EQ(exact.moments("depth", 0)->mean, 0);
   EXPECT_EQ(exact.moments("height", 0)->mean, 1);
+  EXPECT_EQ(exact.moments("external_depth", 0)->mean, 1);
+  EXPECT_EQ(exact.moments("magnitude", 20)->mean, 21);
+  EXPECT_NEAR(exact.moments("registers", 20)->mean, exact.moments("strahler", 20)->mean + 1, 1e-14);
+  EXPECT_NEAR(exact.moments("sackin", 20)->mean, 21 * (exact.moments("external_depth", 20)->mean - 1), 1e-12);
+  EXPECT_NEAR(exact.moments("path_length", 20)->mean + 40, exact.moments("sackin", 20)->mean, 1e-12);
+  EXPECT_NEAR(exact.moments("cherries", 20)->mean, 7, 1e-13);
+  EXPECT_FALSE(exact.moments("width", 20));
 }
 
 TEST(ExactMeans, HasVariancesOfCountsUpToTheirLimit) {
@@ -290,6 +298,64 @@ TEST(OrderMoments, AreThoseOfAllTrees) {
         for (std::size_t b = 0; b < truth.size(); ++b)
           expect_near(law.covariance(n, count(a), count(b)), truth[a][b], 1e-12, text);
     }
+  }
+}
+
+TEST(DepthLaw, OfAnExternalNodeIsThatOfAllTrees) {
+  for (const char* text : {"bst", "catalan", "patricia(0.23)", "split(0.3)"}) {
+    const Model model = Model::parse(text);
+    const auto law = ramify::build_law(model, 8, ramify::DepthLaw(ramify::DepthLaw::Of::external_node));
+    for (Size n = 0; n <= 8; ++n) {
+      Sums truth(n + 3, 0);
+      for (const test::Shape& shape : test::all_shapes(n))
+        for (const auto& [depth, share] : test::external_depth_law(shape))
+          truth[depth] += probability(shape, pmf_of(model)) * share;
+      for (std::size_t d = 0; d < truth.size(); ++d)
+        expect_near(d < law.lowest(n) ? 0 : at(law.pmf(n), d - law.lowest(n)), truth[d], 2e-14, text);
+    }
+  }
+}
+
+TEST(NodeSumLaw, IsThatOfAllTrees) {
+  using ramify::NodeSumLaw;
+  using Sum = std::uint64_t (*)(const test::Shape&);
+  const std::vector<std::pair<NodeSumLaw::Of, Sum>> sums{{NodeSumLaw::Of::path_length, test::path_length},
+                                                         {NodeSumLaw::Of::sackin, test::sackin},
+                                                         {NodeSumLaw::Of::colless, test::colless}};
+  for (const char* text : {"bst", "catalan", "patricia(0.23)", "beta(2,5)"}) {
+    const Model model = Model::parse(text);
+    for (const auto& [of, sum] : sums) {
+      const auto law = ramify::build_law(model, 8, NodeSumLaw(of));
+      for (Size n = 0; n <= 8; ++n) {
+        Real mean = 0, square = 0;
+        for (const test::Shape& shape : test::all_shapes(n)) {
+          const Real p = probability(shape, pmf_of(model)), value = static_cast<Real>(sum(shape));
+          mean += p * value;
+          square += p * value * value;
+        }
+        expect_near(law.moments(n).mean, mean, 1e-12, text);
+        expect_near(law.moments(n).variance, square - mean * mean, 1e-11, text);
+      }
+    }
+  }
+}
+
+// Of a BST (Knuth, TAOCP 6.2.2): E path length = 2 (n+1) H_n - 4n, variance 7n^2 - 4(n+1)^2 H2_n - 2(n+1) H_n
+// + 13n.
+TEST(NodeSumLaw, OfBstPathLengthsIsKnown) {
+  const auto law =
+      ramify::build_law(Model::parse("bst"), 1000, ramify::NodeSumLaw(ramify::NodeSumLaw::Of::path_length));
+  Real harmonic = 0, squares = 0;
+  for (Size n = 1; n <= 1000; ++n) {
+    const Real size = static_cast<Real>(n);
+    harmonic += 1 / size;
+    squares += 1 / (size * size);
+    expect_near(law.moments(n).mean, 2 * (size + 1) * harmonic - 4 * size, 1e-12 * static_cast<double>(n * n),
+                "mean");
+    expect_near(
+        law.moments(n).variance,
+        7 * size * size - 4 * (size + 1) * (size + 1) * squares - 2 * (size + 1) * harmonic + 13 * size,
+        1e-11 * static_cast<double>(n * n), "variance");
   }
 }
 

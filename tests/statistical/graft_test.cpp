@@ -54,12 +54,20 @@ struct Single {
 };
 
 template <class Law>
-std::vector<double> pmf_of(const Model& model, Size n) {
-  const Law law = build_law(model, n, empty_law<Law>(n));
+std::vector<double> values_from_0(const Law& law, Size n) {
   std::vector<double> pmf(law.lowest(n), 0.0);
   const auto tail = law.pmf(n);
   pmf.insert(pmf.end(), tail.begin(), tail.end());
   return pmf;
+}
+
+template <class Law>
+std::vector<double> pmf_of(const Model& model, Size n) {
+  return values_from_0(build_law(model, n, empty_law<Law>(n)), n);
+}
+
+std::vector<double> external_depth_pmf(const Model& model, Size n) {
+  return values_from_0(build_law(model, n, DepthLaw(DepthLaw::Of::external_node)), n);
 }
 
 const std::vector<Single> singles{
@@ -67,7 +75,8 @@ const std::vector<Single> singles{
     {"height", Pass::height, &TreeMeasures::height, pmf_of<HeightLaw>},
     {"fill_level", Pass::fill_level, &TreeMeasures::fill_level, pmf_of<FillLevelLaw>},
     {"balance", Pass::balance, &TreeMeasures::balance, pmf_of<BalanceLaw>},
-    {"depth", Pass::depth, &TreeMeasures::depth, pmf_of<DepthLaw>}};
+    {"depth", Pass::depth, &TreeMeasures::depth, pmf_of<DepthLaw>},
+    {"external_depth", Pass::external_depth, &TreeMeasures::external_depth, external_depth_pmf}};
 
 test::Tally tally_of(const Model& model, SamplingMethod method, Size n, std::uint64_t trees,
                      const std::string& tag, std::uint32_t TreeMeasures::* value) {
@@ -90,7 +99,7 @@ constexpr std::uint64_t grown_trees = 10'000;
 
 void expect_singles_of_the_exact_law_and_of_whole_trees(const Model& model, const std::string& name) {
   std::vector<test::Tally> whole(singles.size());
-  sample(model, grow_full, grown_n, grown_trees, name + " whole", [&](const TreeMeasures& m) {
+  sample(model, grow_all, grown_n, grown_trees, name + " whole", [&](const TreeMeasures& m) {
     for (std::size_t i = 0; i < singles.size(); ++i) ++whole[i][{m.*singles[i].value, 0}];
   });
   for (std::size_t i = 0; i < singles.size(); ++i) {

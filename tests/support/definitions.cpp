@@ -52,6 +52,20 @@ void walk_to_last(const Shape& shape, std::size_t depth, double probability,
       walk_to_last(child, depth + 1, probability * static_cast<double>(internal_nodes(child)) / others, law);
 }
 
+void walk_to_nodes(const Shape& shape, std::uint64_t edges,
+                   const std::function<void(const Shape&, std::uint64_t)>& look) {
+  look(shape, edges);
+  for (const Shape& child : shape.children) walk_to_nodes(child, edges + 1, look);
+}
+
+/// Of the children, the highest first.
+std::vector<std::size_t> orders_below(const Shape& node) {
+  std::vector<std::size_t> orders;
+  for (const Shape& child : node.children) orders.push_back(strahler(child));
+  std::sort(orders.rbegin(), orders.rend());
+  return orders;
+}
+
 }  // namespace
 
 std::uint64_t internal_nodes(const Shape& shape) {
@@ -133,6 +147,77 @@ std::map<std::size_t, double> last_node_depth_law(const Shape& shape) {
   std::map<std::size_t, double> law;
   walk_to_last(shape, 1, 1.0, law);
   return law;
+}
+
+std::map<std::size_t, double> external_depth_law(const Shape& shape) {
+  std::vector<std::size_t> depths;
+  walk_to_leaves(shape, 1, depths);
+  std::map<std::size_t, double> law;
+  for (const std::size_t depth : depths) law[depth] += 1 / static_cast<double>(depths.size());
+  return law;
+}
+
+std::uint64_t path_length(const Shape& shape) {
+  std::uint64_t sum = 0;
+  walk_to_nodes(shape, 0,
+                [&](const Shape& node, std::uint64_t edges) { sum += node.is_external() ? 0 : edges; });
+  return sum;
+}
+
+std::uint64_t sackin(const Shape& shape) {
+  std::uint64_t sum = 0;
+  walk_to_nodes(shape, 0,
+                [&](const Shape& node, std::uint64_t edges) { sum += node.is_external() ? edges : 0; });
+  return sum;
+}
+
+std::uint64_t colless(const Shape& shape) {
+  std::uint64_t sum = 0;
+  visit(shape, [&](const Shape& node) {
+    if (node.children.size() != 2) return;
+    const auto left = external_nodes(node.children[0]), right = external_nodes(node.children[1]);
+    sum += std::max(left, right) - std::min(left, right);
+  });
+  return sum;
+}
+
+std::uint64_t cherries(const Shape& shape) {
+  std::uint64_t count = 0;
+  visit(shape, [&](const Shape& node) {
+    const auto& children = node.children;
+    if (children.size() >= 2 &&
+        std::all_of(children.begin(), children.end(), [](const Shape& c) { return c.is_external(); }))
+      ++count;
+  });
+  return count;
+}
+
+std::size_t registers(const Shape& shape) {
+  if (shape.is_external()) return 1;
+  const std::size_t left = registers(shape.children[0]), right = registers(shape.children[1]);
+  const std::size_t left_first = std::max(left, right + 1), right_first = std::max(right, left + 1);
+  return std::min(left_first, right_first);
+}
+
+std::map<std::pair<std::size_t, std::size_t>, std::uint64_t> bi_orders(const Shape& shape) {
+  std::map<std::pair<std::size_t, std::size_t>, std::uint64_t> counts;
+  visit(shape, [&](const Shape& node) {
+    const auto orders = orders_below(node);
+    if (orders.size() >= 2) ++counts[{orders[0], orders[1]}];
+  });
+  return counts;
+}
+
+std::map<std::pair<std::size_t, std::size_t>, std::uint64_t> side_branches(const Shape& shape) {
+  std::map<std::pair<std::size_t, std::size_t>, std::uint64_t> counts;
+  visit(shape, [&](const Shape& node) {
+    const auto orders = orders_below(node);
+    if (orders.empty()) return;
+    // One child continues the node's stream, or two of equal order begin it; all others end here.
+    const bool begins = orders.size() >= 2 && orders[0] == orders[1];
+    for (std::size_t i = begins ? 2 : 1; i < orders.size(); ++i) ++counts[{strahler(node), orders[i]}];
+  });
+  return counts;
 }
 
 double mean_ratio(const std::vector<std::uint64_t>& counts) {

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <utility>
 #include <vector>
 
 #include "support/shape.hpp"
@@ -47,6 +48,33 @@ std::size_t balance(const Shape& shape);
 /// The law of the depth of the last node (B23): every walk with its probability; depth 0 for an external
 /// node.
 std::map<std::size_t, double> last_node_depth_law(const Shape& shape);
+
+/// The law of the depth (root = 1) of an external node drawn uniformly (B23): every one of them.
+std::map<std::size_t, double> external_depth_law(const Shape& shape);
+
+/// Sum of the depths of all internal nodes, in edges from the root: every node's path is counted.
+std::uint64_t path_length(const Shape& shape);
+
+/// The same for all external nodes.
+std::uint64_t sackin(const Shape& shape);
+
+/// Sum over the nodes with two children of the difference of their numbers of external nodes.
+std::uint64_t colless(const Shape& shape);
+
+/// Nodes with two children or more, all of them external.
+std::uint64_t cherries(const Shape& shape);
+
+/// The fewest registers with which the tree can be evaluated as an expression (B21): every order of
+/// evaluation is tried at every node. Leaves are loaded, an operator needs all its operands in registers and
+/// frees all but one. Strict binary trees.
+std::size_t registers(const Shape& shape);
+
+/// Nodes of order i whose two children of highest order have the orders high and low (B13), at {high, low}.
+std::map<std::pair<std::size_t, std::size_t>, std::uint64_t> bi_orders(const Shape& shape);
+
+/// Streams of order j that end at a node of a stream of order i > j and do not take part in beginning it
+/// (Tokunaga 1978), at {i, j}.
+std::map<std::pair<std::size_t, std::size_t>, std::uint64_t> side_branches(const Shape& shape);
 
 /// Mean over k of counts[k] / counts[k+1] (B11a).
 double mean_ratio(const std::vector<std::uint64_t>& counts);

@@ -3,6 +3,7 @@
 #include <limits>
 #include <sstream>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "ramify/core/error.hpp"
@@ -35,7 +36,8 @@ Size suggested(const std::string& message) {
 
 TEST(LawRequest, OfAStatisticWithoutALawNamesThoseThatHaveOne) {
   const std::string message = refusal(request("bst", "size", {10}), {unlimited, unlimited});
-  EXPECT_NE(message.find("strahler, height, depth, fill_level, balance, orders"), std::string::npos)
+  EXPECT_NE(message.find("strahler, height, depth, external_depth, fill_level, balance, orders, path_length"),
+            std::string::npos)
       << message;
   EXPECT_NE(refusal(request("bst", "heigth", {10}), {unlimited, unlimited}).find("did you mean height"),
             std::string::npos);
@@ -48,6 +50,17 @@ TEST(LawRequest, OfCovariancesIsForOrdersAlone) {
             .empty(),
         statistic == "orders")
         << statistic;
+}
+
+TEST(LawRequest, OfASumIsForItsMomentsAlone) {
+  for (const auto& statistic : moment_statistics()) {
+    const auto refused = [&](LawQuantity quantity) {
+      return refusal(request("bst", statistic.c_str(), {10}, quantity), {unlimited, unlimited});
+    };
+    EXPECT_NE(refused(LawQuantity::law).find("--moments"), std::string::npos) << statistic;
+    EXPECT_NE(refused(LawQuantity::covariances), "") << statistic;
+    EXPECT_EQ(refused(LawQuantity::moments), "") << statistic;
+  }
 }
 
 TEST(LawRequest, AboveTheModelsLargestSizeIsRefusedWhateverTheLimit) {
@@ -144,6 +157,19 @@ TEST(LawTable, CovariancesAreOfEveryTwoCounts) {
   EXPECT_EQ(rows[0], "model,n,leaf_order,first,second,covariance");
   EXPECT_EQ(rows[1], "bst,3,0,nodes_0,nodes_0,0");
   EXPECT_TRUE(rows.back().starts_with("bst,3,0,streams_2,streams_2,0.2222222222222")) << rows.back();
+}
+
+// Of size 2 there are chains alone: external nodes at the depths 2, 3, 3, and one internal node below the
+// root.
+TEST(LawTable, OfExternalDepthsAndSums) {
+  const Cancellation never;
+  EXPECT_EQ(law_table(request("split(0.25)", "external_depth", {2}), never),
+            "model,n,statistic,value,probability\nsplit(0.25),2,external_depth,2,0.3333333333333333\n"
+            "split(0.25),2,external_depth,3,0.6666666666666666\n");
+  for (const auto& [statistic, mean] :
+       {std::pair{"path_length", 1}, std::pair{"sackin", 5}, std::pair{"colless", 1}})
+    EXPECT_EQ(law_table(request("bst", statistic, {2}, LawQuantity::moments), never),
+              fmt::format("model,n,statistic,mean,variance\nbst,2,{},{},0\n", statistic, mean));
 }
 
 TEST(LawTable, StopsWhenCancelled) {

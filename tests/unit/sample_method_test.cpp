@@ -25,6 +25,12 @@ TEST(SamplingMethod, IsTheLeastPassThatReadsWhatIsAsked) {
   EXPECT_EQ(pass({"size", "height"}, true), Pass::height);
   EXPECT_EQ(pass({"depth"}, true), Pass::depth);
   EXPECT_EQ(pass({"depth", "strahler"}, true), Pass::full);
+  EXPECT_EQ(pass({"external_depth", "size"}, true), Pass::external_depth);
+  EXPECT_EQ(pass({"external_depth"}, false), Pass::all);
+  for (const char* name : {"sackin", "width", "tokunaga"}) {
+    EXPECT_EQ(pass({name}, true), Pass::all);
+    EXPECT_EQ(pass({name}, false), Pass::all);
+  }
   for (const char* name : {"depth", "fill_level", "balance"}) EXPECT_EQ(pass({name}, false), Pass::full);
 }
 

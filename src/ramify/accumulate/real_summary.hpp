@@ -1,20 +1,24 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
 namespace ramify {
 
 /// Summary of real numbers, kept in the order they were added: merge blocks in a fixed order and every sum is
-/// the same.
+/// the same. NaN, which says that there is no value, is passed over.
 class RealSummary {
  public:
-  void add(double value) { values_.push_back(value); }
+  void add(double value) {
+    if (!std::isnan(value)) values_.push_back(value);
+  }
   void merge(const RealSummary& later) {
     values_.insert(values_.end(), later.values_.begin(), later.values_.end());
   }
 
   std::uint64_t count() const { return values_.size(); }
+  /// NaN without values.
   double mean() const;
   /// Unbiased, in two passes; 0 for fewer than two values.
   double variance() const;

@@ -9,11 +9,18 @@ namespace {
 
 constexpr Estimate none{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
 
-ColumnSummary summarise_whole(const WholeSummary& values) {
+template <class Summary>
+ColumnSummary moments_of(const Summary& values) {
   ColumnSummary summary;
+  summary.trees = values.count();
   summary.mean = values.mean();
   summary.variance = values.variance();
   summary.standard_error = std::sqrt(summary.variance / static_cast<double>(values.count()));
+  return summary;
+}
+
+ColumnSummary summarise_whole(const WholeSummary& values) {
+  ColumnSummary summary = moments_of(values);
   summary.min = static_cast<double>(values.min());
   summary.q05 = static_cast<double>(values.quantile(0.05));
   summary.q50 = static_cast<double>(values.quantile(0.5));
@@ -25,10 +32,8 @@ ColumnSummary summarise_whole(const WholeSummary& values) {
 }
 
 ColumnSummary summarise_real(const RealSummary& values) {
-  ColumnSummary summary;
-  summary.mean = values.mean();
-  summary.variance = values.variance();
-  summary.standard_error = std::sqrt(summary.variance / static_cast<double>(values.count()));
+  ColumnSummary summary = moments_of(values);
+  if (values.count() == 0) return summary;
   const auto quantiles = values.quantiles({1e-300, 0.05, 0.5, 0.95, 1});
   summary.min = quantiles[0];
   summary.q05 = quantiles[1];
@@ -47,25 +52,18 @@ const ColumnSummary& CellResult::column(const std::string& name) const {
 }
 
 CellAccumulator::CellAccumulator(const StatisticSet& statistics, Size n)
-    : statistics_(&statistics),
-      n_(n),
+    : columns_(statistics.columns(n)),
       counts_orders_(statistics.contains("nodes") || statistics.contains("streams")) {
   std::size_t wholes = 0, reals = 0;
-  for (const auto* info : statistics.chosen()) {
-    const std::size_t columns = info->per_order ? HortonStrahler::largest_order(n) + 1 : 1;
-    for (std::size_t i = 0; i < columns; ++i) {
-      real_.push_back(info->real);
-      slot_.push_back(info->real ? reals++ : wholes++);
-    }
-  }
+  for (const auto& column : columns_) slot_.push_back(column.statistic->real ? reals++ : wholes++);
   wholes_.resize(wholes);
   reals_.resize(reals);
 }
 
 void CellAccumulator::add(const TreeMeasures& measures) {
-  write_statistics(*statistics_, measures, row_);
+  write_statistics(columns_, measures, row_);
   for (std::size_t i = 0; i < row_.size(); ++i) {
-    if (real_[i])
+    if (columns_[i].statistic->real)
       reals_[slot_[i]].add(row_[i].real);
     else
       wholes_[slot_[i]].add(row_[i].whole);
@@ -83,11 +81,11 @@ void CellAccumulator::merge(const CellAccumulator& later) {
 }
 
 std::vector<ColumnSummary> CellAccumulator::summarise() const {
-  const auto names = statistics_->columns(n_);
   std::vector<ColumnSummary> columns;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    columns.push_back(real_[i] ? summarise_real(reals_[slot_[i]]) : summarise_whole(wholes_[slot_[i]]));
-    columns.back().name = names[i];
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    columns.push_back(columns_[i].statistic->real ? summarise_real(reals_[slot_[i]])
+                                                  : summarise_whole(wholes_[slot_[i]]));
+    columns.back().name = columns_[i].name;
   }
   return columns;
 }

@@ -26,12 +26,10 @@ class CellAccumulator {
   std::vector<ColumnSummary> summarise() const;
   std::vector<OrderSummary> summarise_orders() const;
 
-  const StatisticSet* statistics_;
-  Size n_;
+  std::vector<StatisticSet::Column> columns_;
   bool counts_orders_;
   std::vector<StatisticValue> row_;
-  std::vector<bool> real_;         // column by column
-  std::vector<std::size_t> slot_;  // index into wholes_ or reals_
+  std::vector<std::size_t> slot_;  // of each column: index into wholes_ or reals_
   std::vector<WholeSummary> wholes_;
   std::vector<RealSummary> reals_;
   OrderTotals nodes_, streams_;

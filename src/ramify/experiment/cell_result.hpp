@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,13 +11,17 @@
 
 namespace ramify {
 
-/// One column of a cell over its trees.
+/// One column of a cell over those of its trees that have a value: a tree without an order has no ratio to
+/// it.
 struct ColumnSummary {
+  static constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
   std::string name;
-  double mean = 0;
-  double standard_error = 0;
-  double variance = 0;
-  double min = 0, q05 = 0, q50 = 0, q95 = 0, max = 0;
+  std::uint64_t trees = 0;
+  double mean = none;  ///< none where no tree has a value
+  double standard_error = none;
+  double variance = none;
+  double min = none, q05 = none, q50 = none, q95 = none, max = none;
   /// Value and number of trees; kept where there are at most histogram_values different whole values, else
   /// empty.
   std::vector<std::pair<std::int64_t, std::uint64_t>> histogram;

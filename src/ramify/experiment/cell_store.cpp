@@ -1,5 +1,6 @@
 #include "ramify/experiment/cell_store.hpp"
 
+#include <array>
 #include <fstream>
 #include <limits>
 
@@ -31,31 +32,28 @@ Estimate to_estimate(const json& pair) {
   return {number(pair.at(0)), number(pair.at(1))};
 }
 
+constexpr std::array<std::pair<const char*, double ColumnSummary::*>, 8> column_numbers{
+    {{"mean", &ColumnSummary::mean},
+     {"standard_error", &ColumnSummary::standard_error},
+     {"variance", &ColumnSummary::variance},
+     {"min", &ColumnSummary::min},
+     {"q05", &ColumnSummary::q05},
+     {"q50", &ColumnSummary::q50},
+     {"q95", &ColumnSummary::q95},
+     {"max", &ColumnSummary::max}}};
+
 json to_json(const ColumnSummary& c) {
-  return {{"name", c.name},
-          {"mean", c.mean},
-          {"standard_error", c.standard_error},
-          {"variance", c.variance},
-          {"min", c.min},
-          {"q05", c.q05},
-          {"q50", c.q50},
-          {"q95", c.q95},
-          {"max", c.max},
-          {"histogram", c.histogram}};
+  json j{{"name", c.name}, {"trees", c.trees}, {"histogram", c.histogram}};
+  for (const auto& [key, member] : column_numbers) j[key] = number(c.*member);
+  return j;
 }
 
 ColumnSummary to_column(const json& j) {
   ColumnSummary c;
   j.at("name").get_to(c.name);
-  j.at("mean").get_to(c.mean);
-  j.at("standard_error").get_to(c.standard_error);
-  j.at("variance").get_to(c.variance);
-  j.at("min").get_to(c.min);
-  j.at("q05").get_to(c.q05);
-  j.at("q50").get_to(c.q50);
-  j.at("q95").get_to(c.q95);
-  j.at("max").get_to(c.max);
+  j.at("trees").get_to(c.trees);
   j.at("histogram").get_to(c.histogram);
+  for (const auto& [key, member] : column_numbers) c.*member = number(j.at(key));
   return c;
 }
 

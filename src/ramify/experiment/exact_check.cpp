@@ -13,8 +13,8 @@ namespace {
 
 /// A sample of T trees cannot tell an event of probability below 1/T from none, so no error is taken below
 /// 1/T.
-double standard_error(const ColumnSummary& column, const Moments& exact, std::uint64_t trees) {
-  const double count = static_cast<double>(trees);
+double standard_error(const ColumnSummary& column, const Moments& exact) {
+  const double count = static_cast<double>(column.trees);
   const double variance = std::isnan(exact.variance) ? column.variance : exact.variance;
   return std::max(std::sqrt(variance / count), 1 / count);
 }
@@ -22,8 +22,7 @@ double standard_error(const ColumnSummary& column, const Moments& exact, std::ui
 std::optional<ExactCheck> check(const ColumnSummary& column, const CellResult& cell, const ExactMeans& laws) {
   const auto exact = laws.moments(column.name, cell.n);
   if (!exact) return std::nullopt;
-  return ExactCheck{exact->mean,
-                    (column.mean - exact->mean) / standard_error(column, *exact, cell.replicates)};
+  return ExactCheck{exact->mean, (column.mean - exact->mean) / standard_error(column, *exact)};
 }
 
 }  // namespace

@@ -24,7 +24,13 @@ std::string in_hours(double seconds) {
 }  // namespace
 
 const std::vector<std::string>& law_statistics() {
-  static const std::vector<std::string> all{"strahler", "height", "depth", "fill_level", "balance", "orders"};
+  static const std::vector<std::string> all{"strahler",   "height",  "depth", "external_depth",
+                                            "fill_level", "balance", "orders"};
+  return all;
+}
+
+const std::vector<std::string>& moment_statistics() {
+  static const std::vector<std::string> all{"path_length", "sackin", "colless"};
   return all;
 }
 
@@ -34,19 +40,29 @@ Size LawRequest::largest_size() const {
 }
 
 LawKind LawRequest::kind() const {
-  const auto& known = law_statistics();
-  if (std::find(known.begin(), known.end(), statistic) == known.end())
+  const auto is_in = [this](const auto& names) {
+    return std::find(names.begin(), names.end(), statistic) != names.end();
+  };
+  const bool is_sum = is_in(moment_statistics());
+  if (!is_sum && !is_in(law_statistics())) {
+    auto known = law_statistics();
+    known.insert(known.end(), moment_statistics().begin(), moment_statistics().end());
     throw Error(
         fmt::format("no exact law of '{}'", statistic),
         fmt::format("known are those of {}", fmt::join(known, ", ")),
         did_you_mean(statistic, known) + "name one of them; orders has the nodes and streams of every order");
+  }
   if (statistic == "orders")
     return quantity == LawQuantity::law ? LawKind::order_means : LawKind::order_moments;
+  if (is_sum && quantity == LawQuantity::law)
+    throw Error(fmt::format("law of {}", statistic), "only its mean and variance are computed",
+                "add --moments");
   if (quantity == LawQuantity::covariances)
     throw Error(fmt::format("covariances of {}", statistic), "it is one number",
                 "take --moments, or --statistic orders");
+  if (is_sum) return LawKind::node_sum;
   if (statistic == "height") return LawKind::height;
-  return statistic == "depth" ? LawKind::depth : LawKind::bounded;
+  return statistic == "depth" || statistic == "external_depth" ? LawKind::depth : LawKind::bounded;
 }
 
 void require_computable(const LawRequest& request, const LawCost& limit) {

@@ -15,7 +15,7 @@ enum class LawQuantity { law, moments, covariances };
 /// What `ramify law` is asked for.
 struct LawRequest {
   Model model;
-  std::string statistic;  ///< of law_statistics()
+  std::string statistic;  ///< of law_statistics() or moment_statistics()
   LawQuantity quantity;
   std::vector<Size> sizes;  ///< one or more
 
@@ -26,8 +26,11 @@ struct LawRequest {
   LawKind kind() const;
 };
 
-/// strahler, height, depth, fill_level, balance, orders.
+/// Those with a law: strahler, height, depth, external_depth, fill_level, balance; and orders.
 const std::vector<std::string>& law_statistics();
+
+/// Those of which the mean and the variance alone are computed: path_length, sackin, colless.
+const std::vector<std::string>& moment_statistics();
 
 /// A law that takes longer is refused without --yes.
 inline constexpr double long_law_seconds = 3600;

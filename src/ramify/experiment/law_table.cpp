@@ -8,6 +8,7 @@
 #include "ramify/law/depth_law.hpp"
 #include "ramify/law/fill_level_law.hpp"
 #include "ramify/law/height_law.hpp"
+#include "ramify/law/node_sum_law.hpp"
 #include "ramify/law/order_moments.hpp"
 #include "ramify/statistic/horton_strahler.hpp"
 
@@ -25,15 +26,18 @@ CsvTable moments_table() {
 }
 
 template <class Law>
-CsvTable value_table(const LawRequest& request, const Law& law) {
-  if (request.quantity == LawQuantity::moments) {
-    CsvTable table = moments_table();
-    for (const Size n : request.sizes) {
-      const auto [mean, variance] = law.moments(n);
-      table.add(row_of(request, n).text(request.statistic).exact(mean).exact(variance));
-    }
-    return table;
+CsvTable moments_table(const LawRequest& request, const Law& law) {
+  CsvTable table = moments_table();
+  for (const Size n : request.sizes) {
+    const auto [mean, variance] = law.moments(n);
+    table.add(row_of(request, n).text(request.statistic).exact(mean).exact(variance));
   }
+  return table;
+}
+
+template <class Law>
+CsvTable value_table(const LawRequest& request, const Law& law) {
+  if (request.quantity == LawQuantity::moments) return moments_table(request, law);
   CsvTable table({"model", "n", "statistic", "value", "probability"});
   for (const Size n : request.sizes) {
     Size value = law.lowest(n);
@@ -91,6 +95,11 @@ CsvTable covariance_table(const LawRequest& request, const OrderMoments& law) {
   return table;
 }
 
+NodeSumLaw::Of sum_of(std::string_view statistic) {
+  if (statistic == "path_length") return NodeSumLaw::Of::path_length;
+  return statistic == "sackin" ? NodeSumLaw::Of::sackin : NodeSumLaw::Of::colless;
+}
+
 }  // namespace
 
 std::string law_table(const LawRequest& request, const Cancellation& cancellation) {
@@ -104,6 +113,10 @@ std::string law_table(const LawRequest& request, const Cancellation& cancellatio
   if (request.statistic == "fill_level") return value_table(request, build(FillLevelLaw(largest))).text();
   if (request.statistic == "height") return value_table(request, build(HeightLaw())).text();
   if (request.statistic == "depth") return value_table(request, build(DepthLaw())).text();
+  if (request.statistic == "external_depth")
+    return value_table(request, build(DepthLaw(DepthLaw::Of::external_node))).text();
+  if (kind == LawKind::node_sum)
+    return moments_table(request, build(NodeSumLaw(sum_of(request.statistic)))).text();
   const OrderMeans means = build(OrderMeans(largest));
   if (kind == LawKind::order_means) return mean_counts_table(request, means).text();
   const OrderMoments moments = build(OrderMoments(means, largest));

@@ -31,7 +31,7 @@ std::vector<std::pair<std::string, Plot>> run_plots(const std::vector<CheckedCel
                                                     const StatisticSet& statistics) {
   std::vector<std::pair<std::string, Plot>> plots;
   for (const auto* info : statistics.chosen()) {
-    if (info->per_order || info->name == "size") continue;
+    if (info->shape != Columns::one || info->name == "size") continue;
     const std::string name(info->name);
     auto series = means_by_model(cells, name);
     const bool has_line =

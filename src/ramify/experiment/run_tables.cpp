@@ -11,9 +11,9 @@
 namespace ramify {
 namespace {
 
-std::vector<std::string> head(const CheckedCell& cell) {
+std::vector<std::string> head(const CheckedCell& cell, std::uint64_t trees) {
   return {std::to_string(cell.number), cell.result.model, std::to_string(cell.result.n),
-          std::to_string(cell.result.replicates)};
+          std::to_string(trees)};
 }
 
 void append(std::vector<std::string>& row, const Estimate& estimate) {
@@ -36,7 +36,7 @@ std::string summary_table(const std::vector<CheckedCell>& cells) {
   for (const auto& cell : cells) {
     for (std::size_t i = 0; i < cell.result.columns.size(); ++i) {
       const auto& c = cell.result.columns[i];
-      auto row = head(cell);
+      auto row = head(cell, c.trees);
       row.push_back(c.name);
       for (const double value : {c.mean, c.standard_error, c.variance, c.min, c.q05, c.q50, c.q95, c.max})
         row.push_back(format_summary(value));
@@ -56,7 +56,7 @@ std::string orders_table(const std::vector<CheckedCell>& cells) {
   for (const auto& cell : cells) {
     for (std::size_t k = 0; k < cell.result.orders.size(); ++k) {
       const auto& order = cell.result.orders[k];
-      auto row = head(cell);
+      auto row = head(cell, cell.result.replicates);
       row.emplace_back("0");
       row.emplace_back(std::to_string(k));
       for (const auto& estimate :
@@ -73,7 +73,7 @@ std::string histograms_table(const std::vector<CheckedCell>& cells) {
   for (const auto& cell : cells) {
     for (const auto& column : cell.result.columns) {
       for (const auto& [value, trees] : column.histogram) {
-        auto row = head(cell);
+        auto row = head(cell, column.trees);
         row.insert(row.end(), {column.name, std::to_string(value), std::to_string(trees)});
         table.add(std::move(row));
       }

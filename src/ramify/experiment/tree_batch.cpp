@@ -17,16 +17,13 @@ namespace ramify {
 namespace {
 
 std::vector<std::string> format_row(const TreeBatch& batch, std::uint64_t replicate,
-                                    const StatisticSet& statistics,
+                                    const std::vector<StatisticSet::Column>& columns,
                                     const std::vector<StatisticValue>& values) {
   std::vector<std::string> row{batch.model.text(), std::to_string(batch.n), std::to_string(batch.seed),
                                std::to_string(replicate)};
-  std::size_t column = 0;
-  for (const auto* info : statistics.chosen()) {
-    const std::size_t columns = info->per_order ? HortonStrahler::largest_order(batch.n) + 1 : 1;
-    for (std::size_t i = 0; i < columns; ++i, ++column)
-      row.push_back(info->real ? format_summary(values[column].real) : std::to_string(values[column].whole));
-  }
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    row.push_back(columns[i].statistic->real ? format_summary(values[i].real)
+                                             : std::to_string(values[i].whole));
   return row;
 }
 
@@ -41,6 +38,7 @@ std::string TreeBatch::table(const StatisticSet& statistics, std::uint64_t first
     TreeMeasures measures;
     std::vector<StatisticValue> values;
   };
+  const auto columns = statistics.columns(n);
   std::vector<Worker> workers(threads);
   for (auto& worker : workers) worker.sampler = prototype->clone();
   std::vector<std::vector<std::string>> rows(last - first);
@@ -48,11 +46,11 @@ std::string TreeBatch::table(const StatisticSet& statistics, std::uint64_t first
     if (cancellation.requested()) throw Interrupted();
     auto& [sampler, measures, values] = workers[index];
     sampler->sample(n, key, first + item, measures);
-    write_statistics(statistics, measures, values);
-    rows[item] = format_row(*this, first + item, statistics, values);
+    write_statistics(columns, measures, values);
+    rows[item] = format_row(*this, first + item, columns, values);
   });
   std::vector<std::string> header{"model", "n", "seed", "replicate"};
-  for (auto& name : statistics.columns(n)) header.push_back(std::move(name));
+  for (const auto& column : columns) header.push_back(column.name);
   CsvTable table(std::move(header));
   for (auto& row : rows) table.add(std::move(row));
   return table.text();

@@ -15,10 +15,11 @@ constexpr double negligible = 1e-20;
 void DepthLaw::extend(const SplitRow& row) {
   RAMIFY_EXPECTS(row.n == sizes());
   Size first = row.n + 1, end = 0;
-  const auto each_child = [&row](auto visit) {
+  const auto each_child = [this, &row](auto visit) {
+    const auto total = static_cast<double>(row.n - 1 + 2 * weight_of_none_);
     for (std::size_t m = 0; m < row.weights.size(); ++m)
       for (const Size child : {row.smaller(m), row.larger(m)}) {
-        const double share = row.n == 1 ? 0.5 : static_cast<double>(child) / static_cast<double>(row.n - 1);
+        const double share = row.n == 1 ? 0.5 : static_cast<double>(child + weight_of_none_) / total;
         if (share > 0) visit(child, row.weights[m] * share);
       }
   };

@@ -7,15 +7,20 @@
 
 namespace ramify {
 
-/// The exact law of the depth D_n of the last node for every size 0..n: the size-biased walk. D_0 = 0, D_1 =
-/// 1, and from size n >= 2 one more than that of a child of size i, taken with probability i/(n-1) (B23).
+/// The exact law of the depth of a random node for every size 0..n: the size-biased walk (B23).
 ///
-/// Sums of positive terms, scaled to sum 1; probabilities below 1e-20 at either end are not stored. Memory
-/// O(n w), time O(n^2 w), w the number of depths stored for one size: about 40 for bst at n = 1000.
+/// Of the last node: D_0 = 0, D_1 = 1, and from size n >= 2 one more than that of a child of size i, taken
+/// with probability i/(n-1). Of a uniform external node: D_0 = 1, and one more than that of a child of size
+/// i, taken with probability (i+1)/(n+1). Sums of positive terms, scaled to sum 1; probabilities below 1e-20
+/// at either end are not stored. Memory O(n w), time O(n^2 w), w the number of depths stored for one size:
+/// about 40 for bst at n = 1000.
 class DepthLaw {
  public:
+  enum class Of { last_node, external_node };
+
   /// Only size 0 is known at first.
-  DepthLaw() : laws_{{0, {1.0}}} {}
+  explicit DepthLaw(Of of = Of::last_node)
+      : weight_of_none_(of == Of::external_node ? 1 : 0), laws_{{weight_of_none_, {1.0}}} {}
 
   Size sizes() const { return laws_.size(); }
 
@@ -35,6 +40,7 @@ class DepthLaw {
     Size first;
     std::vector<double> probabilities;
   };
+  Size weight_of_none_;  ///< a child of size i is taken with probability proportional to i + this
   std::vector<Law> laws_;
 };
 

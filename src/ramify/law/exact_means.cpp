@@ -16,6 +16,10 @@ std::optional<Size> order_of(std::string_view column, std::string_view prefix) {
   return parse_count(column.substr(prefix.size()));
 }
 
+Moments one_more(const Moments& moments) {
+  return {moments.mean + 1, moments.variance};
+}
+
 }  // namespace
 
 ExactMeans::ExactMeans(const Model& model, Size largest_n)
@@ -30,12 +34,13 @@ const Law& ExactMeans::extended(Law& law, Size n) const {
   return law;
 }
 
-template <class Law>
-const Law& ExactMeans::known(std::optional<Law>& law, Size n) const {
-  if constexpr (std::constructible_from<Law, Size>) {
-    if (!law) law.emplace(largest_n_);
-  } else {
-    if (!law) law.emplace();
+template <class Law, class... Of>
+const Law& ExactMeans::known(std::optional<Law>& law, Size n, Of... of) const {
+  if (!law) {
+    if constexpr (sizeof...(Of) == 0 && std::constructible_from<Law, Size>)
+      law.emplace(largest_n_);
+    else
+      law.emplace(of...);
   }
   return extended(*law, n);
 }
@@ -51,11 +56,19 @@ Moments ExactMeans::of_count(Size n, OrderCount count) const {
 std::optional<Moments> ExactMeans::moments(std::string_view column, Size n) const {
   if (n > largest_n_) return std::nullopt;
   if (column == "size") return Moments{static_cast<double>(n), 0};
+  if (column == "magnitude") return Moments{static_cast<double>(n + 1), 0};
   if (column == "strahler") return known(strahler_, n).moments(n);
+  if (column == "registers") return one_more(known(strahler_, n).moments(n));
   if (column == "height") return known(height_, n).moments(n);
   if (column == "depth") return known(depth_, n).moments(n);
+  if (column == "external_depth") return known(external_depth_, n, DepthLaw::Of::external_node).moments(n);
+  if (column == "path_length") return known(path_length_, n, NodeSumLaw::Of::path_length).moments(n);
+  if (column == "sackin") return known(sackin_, n, NodeSumLaw::Of::sackin).moments(n);
+  if (column == "colless") return known(colless_, n, NodeSumLaw::Of::colless).moments(n);
+  if (column == "cherries") return of_count(n, {OrderCount::Of::streams, 1});
   if (column == "fill_level") return known(fill_level_, n).moments(n);
   if (column == "balance") return known(balance_, n).moments(n);
+  if (column == "alternate_balance") return one_more(known(balance_, n).moments(n));
   if (const auto k = order_of(column, "nodes_")) return of_count(n, {OrderCount::Of::nodes, *k});
   if (const auto k = order_of(column, "streams_")) return of_count(n, {OrderCount::Of::streams, *k});
   return std::nullopt;

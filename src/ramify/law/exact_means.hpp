@@ -8,6 +8,7 @@
 #include "ramify/law/fill_level_law.hpp"
 #include "ramify/law/height_law.hpp"
 #include "ramify/law/moments.hpp"
+#include "ramify/law/node_sum_law.hpp"
 #include "ramify/law/order_means.hpp"
 #include "ramify/law/order_moments.hpp"
 #include "ramify/law/strahler_law.hpp"
@@ -31,16 +32,17 @@ class ExactMeans {
   /// The largest n it answers for.
   Size largest_n() const { return largest_n_; }
 
-  /// @param column  as in StatisticSet::columns: "strahler", "height", "depth", "fill_level", "balance",
-  /// "size", "nodes_3", "streams_2". Nothing where n > largest_n() or the column has no exact law here.
-  /// nodes_k and streams_k have the mean only where n > order_moments_limit(model).
+  /// @param column  as in StatisticSet::columns: "strahler", "height", "nodes_3". Nothing where n >
+  /// largest_n() or the column has no exact law here: ratios, width. nodes_k and streams_k have the mean only
+  /// where n > order_moments_limit(model).
   std::optional<Moments> moments(std::string_view column, Size n) const;
 
  private:
   template <class Law>
   const Law& extended(Law& law, Size n) const;
-  template <class Law>
-  const Law& known(std::optional<Law>& law, Size n) const;
+  /// @param of  what the law is constructed with, if it is new; largest_n() if left out and the law wants it
+  template <class Law, class... Of>
+  const Law& known(std::optional<Law>& law, Size n, Of... of) const;
 
   Moments of_count(Size n, OrderCount count) const;
 
@@ -49,7 +51,8 @@ class ExactMeans {
   mutable StoredSplitRows rows_;
   mutable std::optional<StrahlerLaw> strahler_;
   mutable std::optional<HeightLaw> height_;
-  mutable std::optional<DepthLaw> depth_;
+  mutable std::optional<DepthLaw> depth_, external_depth_;
+  mutable std::optional<NodeSumLaw> path_length_, sackin_, colless_;
   mutable std::optional<FillLevelLaw> fill_level_;
   mutable std::optional<BalanceLaw> balance_;
   mutable std::optional<OrderMeans> orders_;

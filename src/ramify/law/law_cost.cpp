@@ -75,6 +75,8 @@ Use use(const Model& model, LawKind kind, Size n) {
       const double width = depth_width(model, n / 2);
       return {8 * width + 64, width};
     }
+    case LawKind::node_sum:
+      return {2 * series, 8};
     case LawKind::order_means:
       return {means * series, 20};
     case LawKind::order_moments:

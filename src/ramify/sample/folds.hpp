@@ -9,11 +9,15 @@
 #include "ramify/random/stream.hpp"
 #include "ramify/sample/mean_counts.hpp"
 #include "ramify/statistic/balance.hpp"
+#include "ramify/statistic/bi_orders.hpp"
+#include "ramify/statistic/external_depth.hpp"
 #include "ramify/statistic/fill_level.hpp"
 #include "ramify/statistic/height.hpp"
 #include "ramify/statistic/horton_strahler.hpp"
 #include "ramify/statistic/joint.hpp"
 #include "ramify/statistic/last_node_depth.hpp"
+#include "ramify/statistic/level_profile.hpp"
+#include "ramify/statistic/shape_indices.hpp"
 #include "ramify/statistic/strahler.hpp"
 #include "ramify/statistic/tree_measures.hpp"
 
@@ -24,6 +28,12 @@ using LeanFold = Joint<Height, HortonStrahler>;
 template <class Walk>
 using FullFoldOf = Joint<LastNodeDepthOf<Walk>, Height, HortonStrahler, FillLevel, Balance>;
 using FullFold = FullFoldOf<RandomWalk>;
+using AllFold =
+    Joint<ExternalDepth, ShapeIndices, LastNodeDepth, Height, LevelProfile, BiOrders, FillLevel, Balance>;
+
+/// False for a fold of which whole trees have too many outcomes to be tabulated.
+template <class F>
+inline constexpr bool is_grafted = !std::is_same_v<F, AllFold>;
 
 /// The fold of one tree; a walk gets its choices from `walk`.
 template <class F, class Walk>
@@ -34,6 +44,19 @@ F make_fold(Walk walk) {
     return F(walk);
   } else {
     return F();
+  }
+}
+
+/// The fold of the tree (key, replicate), with walks of their own streams.
+template <class F>
+F make_fold(StreamKey key, std::uint64_t replicate) {
+  const RandomWalk walk(Stream(key, replicate, Lane::walk));
+  if constexpr (std::is_same_v<F, AllFold>) {
+    const RandomWalk to_external(Stream(key, replicate, Lane::external_walk));
+    return F(ExternalDepth(to_external), ShapeIndices(), LastNodeDepth(walk), Height(), LevelProfile(),
+             BiOrders(), FillLevel(), Balance());
+  } else {
+    return make_fold<F>(walk);
   }
 }
 
@@ -49,17 +72,30 @@ inline void record(const FillLevel&, FillLevel::Value root, TreeMeasures& measur
 inline void record(const Balance&, Balance::Value root, TreeMeasures& measures) {
   measures.balance = root;
 }
+inline void record(const ExternalDepth&, ExternalDepth::Value root, TreeMeasures& measures) {
+  measures.external_depth = root.depth;
+}
+inline void record(const ShapeIndices& indices, ShapeIndices::Value, TreeMeasures& measures) {
+  measures.path_length = indices.path_length();
+  measures.sackin = indices.sackin();
+  measures.colless = indices.colless();
+}
+inline void record(const LevelProfile& profile, LevelProfile::Value root, TreeMeasures& measures) {
+  measures.width = profile.width(root);
+}
 template <class Walk>
 void record(const LastNodeDepthOf<Walk>&, std::uint32_t root, TreeMeasures& measures) {
   measures.depth = root;
 }
 template <class Orders>
-  requires std::same_as<Orders, HortonStrahler> || std::same_as<Orders, MeanCounts>
+  requires std::same_as<Orders, HortonStrahler> || std::same_as<Orders, MeanCounts> ||
+           std::same_as<Orders, BiOrders>
 void record(const Orders& orders, HortonStrahler::Value root, TreeMeasures& measures) {
   measures.strahler = root;
   measures.nodes = orders.nodes();
   measures.streams = orders.streams();
   measures.size = std::accumulate(measures.nodes.begin() + 1, measures.nodes.end(), Size{0});
+  if constexpr (std::same_as<Orders, BiOrders>) measures.bi_orders = orders.counts();
 }
 template <class... Folds>
 void record(const Joint<Folds...>& joint, const typename Joint<Folds...>::Value& root,

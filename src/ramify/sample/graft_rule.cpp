@@ -19,6 +19,8 @@ constexpr LawCost table_cost{64e6, 1};
 Size largest_table(const Model& model, Pass pass) {
   switch (pass) {
     case Pass::depth:
+    case Pass::external_depth:
+    case Pass::all:
       return 0;
     case Pass::full:
       return 12;
@@ -51,6 +53,10 @@ Size single_graft(Size n) {
   return std::bit_floor(static_cast<Size>(8 * std::sqrt(static_cast<double>(n))));
 }
 
+bool is_walk(Pass pass) {
+  return pass == Pass::depth || pass == Pass::external_depth;
+}
+
 Size graft(Pass pass, Size n) {
   switch (pass) {
     case Pass::lean:
@@ -76,7 +82,7 @@ Size GraftRule::size(Size n) const {
 
 double GraftRule::grown_nodes(Size n) const {
   const double nodes = static_cast<double>(n);
-  if (method_.pass == Pass::depth) return square_root_ ? std::sqrt(nodes) : std::log2(nodes + 2);
+  if (is_walk(method_.pass)) return square_root_ ? std::sqrt(nodes) : std::log2(nodes + 2);
   const double grafted = static_cast<double>(size(n));
   if (grafted == 0) return nodes;
   return square_root_ ? nodes / std::sqrt(std::numbers::pi * grafted) : 2 * nodes / grafted;
@@ -84,6 +90,7 @@ double GraftRule::grown_nodes(Size n) const {
 
 std::string GraftRule::describe(Size n) const {
   if (method_.pass == Pass::depth) return "the walk to the last node alone";
+  if (method_.pass == Pass::external_depth) return "the walk to an external node alone";
   if (size(n) == 0) return "every node is grown";
   return fmt::format("{} of subtrees up to n = {} drawn from the exact law", ramify::describe(method_.pass),
                      size(n));

@@ -20,7 +20,7 @@ class SamplerOf final : public TreeSampler {
 
   void sample(Size n, StreamKey key, std::uint64_t replicate, TreeMeasures& measures) override {
     Stream stream(key, replicate);
-    F fold = make_fold<F>(RandomWalk(Stream(key, replicate, Lane::walk)));
+    F fold = make_fold<F>(key, replicate);
     measures = TreeMeasures();
     measures.size = n;
     record(fold, root_value(n, stream, fold), measures);
@@ -45,9 +45,11 @@ class SamplerOf final : public TreeSampler {
   struct Shared {
     Shared(const SamplerOrder& order, const Law& law)
         : rule(order.model, order.method), cancellation(order.cancellation), grammar(law) {
-      if (const Size largest = rule.size(order.largest_n); largest > 0)
-        grafting = {SplitTree<Law>(law, Grafting::table_size),
-                    make_graft_table<F>(order.model, largest, *order.cancellation)};
+      if constexpr (is_grafted<F>) {
+        if (const Size largest = rule.size(order.largest_n); largest > 0)
+          grafting = {SplitTree<Law>(law, Grafting::table_size),
+                      make_graft_table<F>(order.model, largest, *order.cancellation)};
+      }
     }
 
     GraftRule rule;
@@ -60,10 +62,13 @@ class SamplerOf final : public TreeSampler {
       : shared_(std::move(shared)), grower_(*shared_->cancellation) {}
 
   typename F::Value root_value(Size n, Stream& stream, F& fold) {
-    const Size grafted = shared_->rule.size(n);
-    if (grafted == 0) return grower_(shared_->grammar, n, stream, fold);
-    const Grafting& grafting = *shared_->grafting;
-    return grower_(grafting.grammar, n, stream, fold, Graft(*grafting.table, grafted));
+    if constexpr (is_grafted<F>) {
+      if (const Size grafted = shared_->rule.size(n); grafted > 0) {
+        const Grafting& grafting = *shared_->grafting;
+        return grower_(grafting.grammar, n, stream, fold, Graft(*grafting.table, grafted));
+      }
+    }
+    return grower_(shared_->grammar, n, stream, fold);
   }
 
   std::shared_ptr<const Shared> shared_;

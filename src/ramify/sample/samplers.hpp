@@ -7,11 +7,13 @@ namespace ramify::detail {
 
 std::unique_ptr<TreeSampler> lean_sampler(const SamplerOrder& order);
 std::unique_ptr<TreeSampler> full_sampler(const SamplerOrder& order);
+std::unique_ptr<TreeSampler> all_sampler(const SamplerOrder& order);
 std::unique_ptr<TreeSampler> mean_counts_sampler(const SamplerOrder& order);
 std::unique_ptr<TreeSampler> strahler_sampler(const SamplerOrder& order);
 std::unique_ptr<TreeSampler> height_sampler(const SamplerOrder& order);
 std::unique_ptr<TreeSampler> fill_level_sampler(const SamplerOrder& order);
 std::unique_ptr<TreeSampler> balance_sampler(const SamplerOrder& order);
 std::unique_ptr<TreeSampler> depth_sampler(const SamplerOrder& order);
+std::unique_ptr<TreeSampler> external_depth_sampler(const SamplerOrder& order);
 
 }  // namespace ramify::detail

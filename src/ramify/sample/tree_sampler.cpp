@@ -11,6 +11,10 @@ std::unique_ptr<TreeSampler> make_tree_sampler(const SamplerOrder& order) {
       return detail::lean_sampler(order);
     case Pass::full:
       return detail::full_sampler(order);
+    case Pass::all:
+      return detail::all_sampler(order);
+    case Pass::external_depth:
+      return detail::external_depth_sampler(order);
     case Pass::mean_counts:
       return detail::mean_counts_sampler(order);
     case Pass::strahler:

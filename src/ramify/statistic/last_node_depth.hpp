@@ -1,5 +1,6 @@
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 
@@ -19,6 +20,10 @@ class RandomWalk {
   std::size_t choose(const Weights& weights, Size total) {
     Size target = uniform_below(stream_, total);
     std::size_t i = 0;
+    if constexpr (std::same_as<Weights, Pair<Size>>) {
+      i = target >= weights[0] ? 1 : 0;  // without a branch, which would be a coin toss
+      return i;
+    }
     while (target >= weights[i]) target -= weights[i++];
     return i;
   }

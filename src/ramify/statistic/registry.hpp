@@ -18,7 +18,33 @@ union StatisticValue {
 };
 
 /// What must be known of a tree for a statistic to be read off.
-enum class Measure { size, strahler, height, counts, depth, fill_level, balance };
+enum class Measure {
+  size,
+  strahler,
+  height,
+  counts,
+  depth,
+  fill_level,
+  balance,
+  external_depth,
+  shape,      ///< path lengths and indices
+  profile,    ///< nodes of every level
+  bi_orders,  ///< orders of siblings
+};
+
+/// A place in a table by orders: (k, 0) of order k, or (high, low) of two orders.
+struct OrderPlace {
+  std::size_t high, low;
+};
+
+/// The columns that a statistic has for trees whose largest order is K.
+enum class Columns {
+  one,
+  orders,        ///< name_0 .. name_K
+  upper_orders,  ///< name_1 .. name_K
+  pairs,         ///< name_i_j, 1 <= i <= K, 0 <= j <= i
+  lower_pairs,   ///< name_i_j, 1 <= i <= K, 0 <= j < i
+};
 
 /// What `ramify list statistics` says of a statistic, and how it is read off a measured tree.
 struct StatisticInfo {
@@ -26,13 +52,17 @@ struct StatisticInfo {
   std::string_view convention;  ///< base, what is counted
   std::string_view description;
   std::string_view source;
-  bool real;        ///< a real number; else a whole number, summed exactly
-  bool per_order;   ///< one column for each order 0..K
+  bool real;        ///< a real number, NaN where a tree has none; else a whole number, summed exactly
+  Columns shape;    ///< one column, or one for each order or pair of orders
   Measure measure;  ///< what it is read off
-  StatisticValue (*value)(const TreeMeasures&, std::size_t order);
+  StatisticValue (*value)(const TreeMeasures&, OrderPlace place);
 
   /// "strahler", or "nodes_0..nodes_K".
   std::string columns() const;
+
+  /// The places of all its columns, for trees whose largest order is K; one place (0, 0) where it has one
+  /// column.
+  std::vector<OrderPlace> places(std::size_t largest_order) const;
 };
 
 /// All statistics, in the order they are listed.
@@ -50,17 +80,23 @@ class StatisticSet {
   bool reads_only(Measure measure) const;
   bool reads(Measure measure) const;
 
-  /// Column names for trees of size n: one a statistic, and nodes_0..nodes_K, streams_0..streams_K with K =
-  /// floor(log2(n+1)), the largest order a tree of that size can have, so that a table's columns never depend
-  /// on what was drawn.
-  std::vector<std::string> columns(Size n) const;
+  /// A column of a table.
+  struct Column {
+    std::string name;
+    const StatisticInfo* statistic;
+    OrderPlace place;
+  };
+
+  /// The columns for trees of size n, those by orders up to K = floor(log2(n+1)), the largest order a tree of
+  /// that size can have, so that a table's columns never depend on what was drawn.
+  std::vector<Column> columns(Size n) const;
 
  private:
   std::vector<const StatisticInfo*> chosen_;
 };
 
-/// The chosen statistics of a measured tree, in the order of StatisticSet::columns(measures.size).
-void write_statistics(const StatisticSet& statistics, const TreeMeasures& measures,
+/// The statistics of a measured tree, column by column.
+void write_statistics(const std::vector<StatisticSet::Column>& columns, const TreeMeasures& measures,
                       std::vector<StatisticValue>& row);
 
 }  // namespace ramify

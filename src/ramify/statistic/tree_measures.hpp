@@ -2,12 +2,13 @@
 
 #include <cstdint>
 
+#include "ramify/statistic/bi_orders.hpp"
 #include "ramify/statistic/horton_strahler.hpp"
 
 namespace ramify {
 
-/// Everything one pass over one tree can say; the full pass fills all of it, the lean one leaves the last
-/// three 0.
+/// Everything one pass over one tree can say. A pass that does not fold a statistic leaves it 0 or empty
+/// (sampling_method.hpp).
 struct TreeMeasures {
   Size size = 0;
   std::uint32_t strahler = 0;
@@ -17,6 +18,12 @@ struct TreeMeasures {
   std::uint32_t depth = 0;
   std::uint32_t fill_level = 0;
   std::uint32_t balance = 0;
+  std::uint32_t external_depth = 0;
+  std::uint64_t path_length = 0;
+  std::uint64_t sackin = 0;
+  std::uint64_t colless = 0;
+  std::uint64_t width = 0;
+  BiOrderCounts bi_orders;
 };
 
 }  // namespace ramify
