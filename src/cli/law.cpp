@@ -39,8 +39,10 @@ void add_law(CLI::App& app, Session& session) {
                    "model, such as bst or \"beta(10,80)\"; see: ramify list models")
       ->required();
   verb->add_option("--n", options->n, "sizes: N[,N..], or from:to:count, a geometric grid")->required();
-  verb->add_option("--statistic", options->statistic,
-                   "strahler, height, depth, fill_level, balance, or orders: mean nodes and streams by order")
+  verb->add_option(
+          "--statistic", options->statistic,
+          "strahler, height, depth, external_depth, fill_level, balance; orders: mean nodes and streams by "
+          "order; with --moments also path_length, sackin, colless")
       ->required();
   auto* moments = verb->add_flag("--moments", options->moments,
                                  "mean and variance; of orders: of the nodes and streams of every order");

@@ -120,7 +120,8 @@ TEST(Models, AreListedOnceEachWithTheirSource) {
     EXPECT_FALSE(info.n_counts.empty());
   }
   EXPECT_EQ(names, (std::set<std::string_view>{"bst", "beta", "beta_multinomial", "split", "dst", "patricia",
-                                               "catalan", "file"}));
+                                               "catalan", "file", "trie", "ternary", "branching", "galton_watson",
+                                               "tokunaga", "ramification", "kary", "flow_rate"}));
   for (const auto& info : models())
     if (info.name == "beta") {
       EXPECT_EQ(info.signature(), "beta(a,b)");

@@ -39,7 +39,7 @@ StatisticSet all_statistics() {
 Values measured(const test::Shape& shape, std::uint64_t replicate = 0) {
   const TreeMeasures measures =
       measure_tree(from_parentheses(test::to_word(shape)), {test::seed_of("measured"), 0}, replicate);
-  const auto columns = all_statistics().columns(measures.size);
+  const auto columns = all_statistics().columns(measures.strahler + 1);
   std::vector<StatisticValue> row;
   write_statistics(columns, measures, row);
   Values values;

@@ -51,8 +51,8 @@ const ColumnSummary& CellResult::column(const std::string& name) const {
   throw std::out_of_range("no column " + name);
 }
 
-CellAccumulator::CellAccumulator(const StatisticSet& statistics, Size n)
-    : columns_(statistics.columns(n)),
+CellAccumulator::CellAccumulator(const StatisticSet& statistics, std::size_t largest_order)
+    : columns_(statistics.columns(largest_order)),
       counts_orders_(statistics.contains("nodes") || statistics.contains("streams")) {
   std::size_t wholes = 0, reals = 0;
   for (const auto& column : columns_) slot_.push_back(column.statistic->real ? reals++ : wholes++);

@@ -14,7 +14,8 @@ namespace ramify {
 /// Sums up the trees of one block of replicates, or of a whole cell once the blocks are merged in order.
 class CellAccumulator {
  public:
-  CellAccumulator(const StatisticSet& statistics, Size n);
+  /// @param largest_order  of the cell's trees
+  CellAccumulator(const StatisticSet& statistics, std::size_t largest_order);
 
   void add(const TreeMeasures& measures);
   /// The trees of `later` follow those of this one.

@@ -46,6 +46,7 @@ std::vector<CheckedCell> check_against_exact_laws(const Plan& plan, std::vector<
   parallel_for(groups.size(), threads, [&](std::size_t group, unsigned) {
     const auto& members = groups[group].second;
     const Model& model = plan.cells[checked[members.front()].number - 1].model;
+    if (!model.is_split()) return;
     Size largest = 0;
     for (const std::size_t i : members)
       if (checked[i].result.n <= law_limit(model)) largest = std::max(largest, checked[i].result.n);

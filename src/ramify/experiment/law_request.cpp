@@ -67,6 +67,9 @@ LawKind LawRequest::kind() const {
 
 void require_computable(const LawRequest& request, const LawCost& limit) {
   const LawKind kind = request.kind();
+  if (!request.model.is_split())
+    throw Error(fmt::format("laws of {}", request.model.text()), "exact laws are those of split trees",
+                "sample it: ramify sample --model ...");
   for (const Size n : request.sizes) request.model.require_size(n);
   const LawCost cost = law_cost(request.model, kind, request.largest_size());
   const std::string what =

@@ -10,6 +10,7 @@ namespace {
 
 /// Levels that stay open while a tree of this model grows, from the rough growth of its height.
 double open_levels(const Cell& cell) {
+  if (!cell.model.is_split()) return cell.model.grown().expected_nodes(cell.n);  // stored whole
   const double n = static_cast<double>(cell.n);
   if (cell.model.name() == "catalan") return 6 * std::sqrt(n);
   double smallest_share = 0.1;
@@ -39,7 +40,8 @@ WorkEstimate estimate_work(const Plan& plan, unsigned threads) {
     work.nodes += nodes;
     work.minutes +=
         nodes * (rule.size(cell.n) > 0 ? nanoseconds_grafted : nanoseconds_a_node) / 1e9 / 60 / threads;
-    const double columns = static_cast<double>(plan.statistics.columns(cell.n).size());
+    const double columns =
+        static_cast<double>(plan.statistics.columns(cell.model.largest_order(cell.n)).size());
     const double bytes =
         open_levels(cell) * open_node_bytes * threads + table_bytes + trees * columns * value_bytes;
     work.megabytes = std::max(work.megabytes, 20 + bytes / 1e6);

@@ -92,7 +92,7 @@ class Run {
     auto& sampler = samplers[cell.model.text()];
     if (!sampler) sampler = prototypes_.at(cell.model.text())->clone();
     const StreamKey key{plan_.seed, cell.model.stream_cell(cell.n)};
-    CellAccumulator sums(plan_.statistics, cell.n);
+    CellAccumulator sums(plan_.statistics, cell.model.largest_order(cell.n));
     TreeMeasures measures;
     for (std::uint64_t replicate = block.first; replicate < block.last; ++replicate) {
       if (cancellation_.requested()) throw Interrupted();
@@ -110,7 +110,7 @@ class Run {
     open.blocks[block.index] = std::move(sums);
     if (observer_.progress) observer_.progress(nodes_done_);
     if (--open.missing > 0) return;
-    CellAccumulator total(plan_.statistics, cell.n);
+    CellAccumulator total(plan_.statistics, cell.model.largest_order(cell.n));
     for (const auto& part : open.blocks) total.merge(*part);
     open.blocks.clear();
     if (observer_.cell_done) observer_.cell_done(block.cell, total.result(cell));

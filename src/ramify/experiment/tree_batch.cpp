@@ -38,7 +38,7 @@ std::string TreeBatch::table(const StatisticSet& statistics, std::uint64_t first
     TreeMeasures measures;
     std::vector<StatisticValue> values;
   };
-  const auto columns = statistics.columns(n);
+  const auto columns = statistics.columns(model.largest_order(n));
   std::vector<Worker> workers(threads);
   for (auto& worker : workers) worker.sampler = prototype->clone();
   std::vector<std::vector<std::string>> rows(last - first);
@@ -60,16 +60,23 @@ std::string TreeBatch::words(std::uint64_t first, std::uint64_t last,
                              const Cancellation& cancellation) const {
   const StreamKey key{seed, model.stream_cell(n)};
   std::vector<std::string> lines(last - first);
-  std::visit(
-      [&]<class Law>(const Law& law) {
-        const SplitTree<Law> grammar(law);
-        parallel_for(lines.size(), threads, [&](std::size_t item, unsigned) {
-          if (cancellation.requested()) throw Interrupted();
-          Stream stream(key, first + item);
-          lines[item] = to_parentheses(grow_tree(grammar, n, stream));
-        });
-      },
-      model.law());
+  const auto write_each = [&](auto grow) {
+    parallel_for(lines.size(), threads, [&](std::size_t item, unsigned) {
+      if (cancellation.requested()) throw Interrupted();
+      Stream stream(key, first + item);
+      lines[item] = to_parentheses(grow(stream));
+    });
+  };
+  if (model.is_split()) {
+    std::visit(
+        [&]<class Law>(const Law& law) {
+          const SplitTree<Law> grammar(law);
+          write_each([&](Stream& stream) { return grow_tree(grammar, n, stream); });
+        },
+        model.law());
+  } else {
+    write_each([&](Stream& stream) { return model.grown().grow(n, stream, cancellation); });
+  }
   std::string text;
   for (const auto& line : lines) text.append(line).push_back('\n');
   return text;

@@ -1,8 +1,11 @@
 #include "ramify/model/parameter.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "ramify/core/error.hpp"
 
@@ -18,6 +21,16 @@ void require_positive(std::string_view model, std::string_view name, double valu
   if (value > 0 && std::isfinite(value)) return;
   throw Error(fmt::format("{} with {} = {}", model, name, value),
               fmt::format("{} must be a finite number above 0", name), "give a positive number, such as 10");
+}
+
+double require_distribution(std::string_view model, std::initializer_list<double> probabilities) {
+  const double sum = std::accumulate(probabilities.begin(), probabilities.end(), 0.0);
+  const std::string problem = fmt::format("{} with {}", model, fmt::join(probabilities, ", "));
+  if (std::any_of(probabilities.begin(), probabilities.end(), [](double p) { return !(p >= 0); }))
+    throw Error(problem, "a probability is not negative", "give numbers from 0 to 1");
+  if (!(std::abs(sum - 1) <= 1e-9))
+    throw Error(problem, fmt::format("the probabilities sum to {}, not 1", sum), "correct one of them");
+  return sum;
 }
 
 }  // namespace ramify

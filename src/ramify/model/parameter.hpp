@@ -1,5 +1,6 @@
 #pragma once
 
+#include <initializer_list>
 #include <string_view>
 
 namespace ramify {
@@ -9,5 +10,8 @@ void require_probability(std::string_view model, std::string_view name, double v
 
 /// Throws Error unless value is finite and positive.
 void require_positive(std::string_view model, std::string_view name, double value);
+
+/// The sum of the probabilities. Throws Error unless they are >= 0 and sum to 1 within 1e-9.
+double require_distribution(std::string_view model, std::initializer_list<double> probabilities);
 
 }  // namespace ramify

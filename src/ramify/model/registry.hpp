@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,6 +15,7 @@
 #include "ramify/model/catalan.hpp"
 #include "ramify/model/dst.hpp"
 #include "ramify/model/fixed_split.hpp"
+#include "ramify/model/grown_model.hpp"
 #include "ramify/model/patricia.hpp"
 #include "ramify/model/tabulated_split.hpp"
 
@@ -23,9 +25,12 @@ namespace ramify {
 using AnySplitLaw =
     std::variant<Bst, Beta, BetaMultinomial, FixedSplit, Dst, Patricia, Catalan, TabulatedSplit>;
 
-/// How a law comes from what stands between the parentheses: from numbers, or from a file.
-using FromNumbers = AnySplitLaw (*)(std::span<const double> parameters);
-using FromFile = AnySplitLaw (*)(const std::filesystem::path& path);
+/// What a model is: a split law, of whose trees ramify knows exact laws, or a tree that is grown whole.
+using AnyModel = std::variant<AnySplitLaw, std::shared_ptr<const GrownModel>>;
+
+/// How a model comes from what stands between the parentheses: from numbers, or from a file.
+using FromNumbers = AnyModel (*)(std::span<const double> parameters);
+using FromFile = AnyModel (*)(const std::filesystem::path& path);
 
 /// What `ramify list models` says of a model.
 struct ModelInfo {
@@ -36,6 +41,7 @@ struct ModelInfo {
   std::string_view description;              ///< the split law in a line
   std::string_view source;                   ///< author year, catalogue number
   std::variant<FromNumbers, FromFile> make;
+  bool is_split = true;  ///< as Model::is_split
 
   /// "beta(a,b)"
   std::string signature() const;
@@ -58,11 +64,23 @@ class Model {
   const std::string& name() const { return name_; }
   /// None of a file.
   const std::vector<double>& parameters() const { return parameters_; }
-  const AnySplitLaw& law() const { return law_; }
+
+  /// False of a tree that is grown whole: no exact law is known, nothing is grafted.
+  bool is_split() const { return std::holds_alternative<AnySplitLaw>(kind_); }
+  /// Of a split model.
+  const AnySplitLaw& law() const { return std::get<AnySplitLaw>(kind_); }
+  /// Of any other.
+  const GrownModel& grown() const { return *std::get<std::shared_ptr<const GrownModel>>(kind_); }
+
+  /// n counts the internal nodes of a tree.
+  bool counts_internal_nodes() const;
 
   Size largest_size() const;
 
-  /// Throws Error where n is larger than the model can draw.
+  /// The largest Horton-Strahler order, leaf order 0, of its trees.
+  std::size_t largest_order(Size n) const;
+
+  /// Throws Error where n is larger than the model can draw, or there is no such tree.
   void require_size(Size n) const;
 
   /// Hash of (model, n): the cell half of a StreamKey. Depends on the values of the parameters and the
@@ -70,15 +88,16 @@ class Model {
   std::uint64_t stream_cell(Size n) const;
 
   /// Same law, however it is written.
-  friend bool operator==(const Model& a, const Model& b) { return a.law_ == b.law_; }
+  friend bool operator==(const Model& a, const Model& b);
 
  private:
-  Model(std::string text, std::string name, std::vector<double> parameters, AnySplitLaw law);
+  Model(std::string text, std::string name, std::vector<double> parameters, AnyModel kind);
+  std::uint64_t content_hash() const;
 
   std::string text_;
   std::string name_;
   std::vector<double> parameters_;
-  AnySplitLaw law_;
+  AnyModel kind_;
 };
 
 }  // namespace ramify

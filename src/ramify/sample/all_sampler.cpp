@@ -4,7 +4,7 @@
 namespace ramify::detail {
 
 std::unique_ptr<TreeSampler> all_sampler(const SamplerOrder& order) {
-  return make_sampler_of<AllFold>(order);
+  return make_sampler_of<Stacked<AllFold>>(order);
 }
 
 }  // namespace ramify::detail

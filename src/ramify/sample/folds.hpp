@@ -18,6 +18,7 @@
 #include "ramify/statistic/last_node_depth.hpp"
 #include "ramify/statistic/level_profile.hpp"
 #include "ramify/statistic/shape_indices.hpp"
+#include "ramify/statistic/stacked.hpp"
 #include "ramify/statistic/strahler.hpp"
 #include "ramify/statistic/tree_measures.hpp"
 
@@ -33,7 +34,7 @@ using AllFold =
 
 /// False for a fold of which whole trees have too many outcomes to be tabulated.
 template <class F>
-inline constexpr bool is_grafted = !std::is_same_v<F, AllFold>;
+inline constexpr bool is_grafted = !std::is_same_v<F, Stacked<AllFold>>;
 
 /// The fold of one tree; a walk gets its choices from `walk`.
 template <class F, class Walk>
@@ -51,7 +52,9 @@ F make_fold(Walk walk) {
 template <class F>
 F make_fold(StreamKey key, std::uint64_t replicate) {
   const RandomWalk walk(Stream(key, replicate, Lane::walk));
-  if constexpr (std::is_same_v<F, AllFold>) {
+  if constexpr (std::is_same_v<F, Stacked<AllFold>>) {
+    return F(make_fold<AllFold>(key, replicate));
+  } else if constexpr (std::is_same_v<F, AllFold>) {
     const RandomWalk to_external(Stream(key, replicate, Lane::external_walk));
     return F(ExternalDepth(to_external), ShapeIndices(), LastNodeDepth(walk), Height(), LevelProfile(),
              BiOrders(), FillLevel(), Balance());
@@ -103,6 +106,11 @@ void record(const Joint<Folds...>& joint, const typename Joint<Folds...>::Value&
   [&]<std::size_t... I>(std::index_sequence<I...>) {
     (record(joint.template get<Folds>(), get<I>(root), measures), ...);
   }(std::index_sequence_for<Folds...>{});
+}
+
+template <class J>
+void record(const Stacked<J>& stacked, const typename Stacked<J>::Value&, TreeMeasures& measures) {
+  record(stacked.fold(), stacked.root(), measures);
 }
 
 }  // namespace ramify

@@ -71,9 +71,10 @@ Size graft(Pass pass, Size n) {
 }  // namespace
 
 GraftRule::GraftRule(const Model& model, SamplingMethod method)
-    : method_(method),
-      largest_(method.graft ? largest_table(model, method.pass) : 0),
-      square_root_(std::holds_alternative<Catalan>(model.law())) {}
+    : model_(model),
+      method_(method),
+      largest_(method.graft && model.is_split() ? largest_table(model, method.pass) : 0),
+      square_root_(model.is_split() && std::holds_alternative<Catalan>(model.law())) {}
 
 Size GraftRule::size(Size n) const {
   if (n < smallest_grafted) return 0;
@@ -81,6 +82,7 @@ Size GraftRule::size(Size n) const {
 }
 
 double GraftRule::grown_nodes(Size n) const {
+  if (!model_.is_split()) return model_.grown().expected_nodes(n);
   const double nodes = static_cast<double>(n);
   if (is_walk(method_.pass)) return square_root_ ? std::sqrt(nodes) : std::log2(nodes + 2);
   const double grafted = static_cast<double>(size(n));
@@ -89,6 +91,7 @@ double GraftRule::grown_nodes(Size n) const {
 }
 
 std::string GraftRule::describe(Size n) const {
+  if (!model_.is_split()) return "every node is grown";
   if (method_.pass == Pass::depth) return "the walk to the last node alone";
   if (method_.pass == Pass::external_depth) return "the walk to an external node alone";
   if (size(n) == 0) return "every node is grown";

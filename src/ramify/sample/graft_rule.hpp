@@ -31,6 +31,7 @@ class GraftRule {
   std::string describe(Size n) const;
 
  private:
+  Model model_;
   SamplingMethod method_;
   Size largest_;      // of a table
   bool square_root_;  // the model's depths grow like sqrt(n)

@@ -8,6 +8,7 @@ namespace ramify::detail {
 std::unique_ptr<TreeSampler> lean_sampler(const SamplerOrder& order);
 std::unique_ptr<TreeSampler> full_sampler(const SamplerOrder& order);
 std::unique_ptr<TreeSampler> all_sampler(const SamplerOrder& order);
+std::unique_ptr<TreeSampler> grown_sampler(const SamplerOrder& order);
 std::unique_ptr<TreeSampler> mean_counts_sampler(const SamplerOrder& order);
 std::unique_ptr<TreeSampler> strahler_sampler(const SamplerOrder& order);
 std::unique_ptr<TreeSampler> height_sampler(const SamplerOrder& order);

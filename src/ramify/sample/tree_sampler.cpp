@@ -6,6 +6,7 @@
 namespace ramify {
 
 std::unique_ptr<TreeSampler> make_tree_sampler(const SamplerOrder& order) {
+  if (!order.model.is_split()) return detail::grown_sampler(order);
   switch (order.method.pass) {
     case Pass::lean:
       return detail::lean_sampler(order);

@@ -50,6 +50,13 @@ struct TallyPack {
   friend auto operator<=>(const TallyPack&, const TallyPack&) = default;
 };
 
+/// The values of two children, side by side in memory.
+template <class Value>
+struct TwoValues {
+  const Value* left;
+  const Value& operator[](std::size_t i) const { return left[i]; }
+};
+
 /// Several folds in one pass over one tree: values, joins and tallies side by side. List folds with larger
 /// values first: the pack of values is then the smallest.
 template <class... Folds>
@@ -106,8 +113,8 @@ class Joint {
   }
 
   // The I-th fold's values, as an array for two children and a vector for any other number.
-  template <std::size_t I>
-  static auto column(const Pair<Value>& values) {
+  template <std::size_t I, class Two>
+  static auto column(const Two& values) {
     return Pair<FoldValue<I>>{ramify::get<I>(values[0]), ramify::get<I>(values[1])};
   }
 

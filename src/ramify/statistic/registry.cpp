@@ -247,11 +247,11 @@ bool StatisticSet::reads_only(Measure measure) const {
   });
 }
 
-std::vector<StatisticSet::Column> StatisticSet::columns(Size n) const {
+std::vector<StatisticSet::Column> StatisticSet::columns(std::size_t largest_order) const {
   std::vector<Column> columns;
   for (const auto* info : chosen_) {
     const bool pairs = info->shape == Columns::pairs || info->shape == Columns::lower_pairs;
-    for (const OrderPlace place : info->places(HortonStrahler::largest_order(n))) {
+    for (const OrderPlace place : info->places(largest_order)) {
       std::string name(info->name);
       if (info->shape != Columns::one) name += fmt::format("_{}", place.high);
       if (pairs) name += fmt::format("_{}", place.low);

@@ -87,9 +87,9 @@ class StatisticSet {
     OrderPlace place;
   };
 
-  /// The columns for trees of size n, those by orders up to K = floor(log2(n+1)), the largest order a tree of
-  /// that size can have, so that a table's columns never depend on what was drawn.
-  std::vector<Column> columns(Size n) const;
+  /// The columns, those by orders up to K, the largest order that a tree of the model and size can have
+  /// (Model::largest_order), so that a table's columns never depend on what was drawn.
+  std::vector<Column> columns(std::size_t largest_order) const;
 
  private:
   std::vector<const StatisticInfo*> chosen_;

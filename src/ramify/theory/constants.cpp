@@ -14,6 +14,7 @@
 namespace ramify {
 
 std::vector<Constant> constants(const Model& model) {
+  if (!model.is_split()) return {};
   std::vector<Constant> known;
   const auto list = [&known](std::optional<Constant> constant) {
     if (constant) known.push_back(*std::move(constant));

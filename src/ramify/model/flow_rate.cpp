@@ -1,0 +1,15 @@
+#include "ramify/model/flow_rate.hpp"
+
+#include <fmt/format.h>
+
+#include "ramify/core/error.hpp"
+
+namespace ramify {
+
+FlowRate::FlowRate(double f) : fraction_(f / 2) {
+  if (f > 0 && f <= 1) return;
+  throw Error(fmt::format("flow_rate(f) with f = {}", f), "f must lie in (0,1]",
+              "give the share of the flow, such as 0.8");
+}
+
+}  // namespace ramify

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <vector>
+
+#include "ramify/model/parameter.hpp"
+#include "ramify/model/split_law.hpp"
+#include "ramify/random/variates.hpp"
+#include "ramify/tree/grammar.hpp"
+
+namespace ramify {
+
+/// The trie of n random bit strings (A12): a node with m >= 2 strings below it has those that go left as one
+/// child and the others as the other, K ~ Bin(m,p) of them left; a side without strings has no child, so
+/// there are one-child nodes. A node with one string is external. Kruszewski 1996, B.1.1. Contracting the
+/// one-child nodes makes it patricia(p).
+class Trie {
+ public:
+  using Label = Size;  ///< strings below
+
+  /// @param p  probability of left, 0 < p < 1. Throws Error.
+  explicit Trie(double p) : p_(p) { require_probability("trie(p)", "p", p); }
+
+  Label root(Size n) const { return n; }
+
+  template <class Urbg>
+  void children(Label strings, Urbg& stream, std::vector<Label>& below) const {
+    if (strings < 2) return;
+    const Size left = binomial_variate(stream, strings, p_);
+    if (left > 0) below.push_back(left);
+    if (left < strings) below.push_back(strings - left);
+  }
+
+  /// n external nodes and about n/h internal ones, h the entropy of p (Knuth, TAOCP 6.3).
+  double expected_nodes(Size n) const {
+    const double entropy = -p_ * std::log(p_) - (1 - p_) * std::log1p(-p_);
+    return static_cast<double>(n) * (1 + 1 / entropy);
+  }
+
+  std::size_t largest_order(Size n) const {
+    return n == 0 ? 0 : static_cast<std::size_t>(std::bit_width(n)) - 1;
+  }
+  Size largest_size() const { return max_double_size; }
+
+ private:
+  double p_;
+};
+
+}  // namespace ramify

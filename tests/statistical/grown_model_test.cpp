@@ -1,0 +1,235 @@
+// Models that are grown whole: every tree of a small size as often as its definition says, and known means at
+// larger ones.
+#include <cmath>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "support/definitions.hpp"
+#include "support/goodness.hpp"
+#include "support/seed.hpp"
+#include "support/shape.hpp"
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "ramify/law/build_law.hpp"
+#include "ramify/law/strahler_law.hpp"
+#include "ramify/sample/tree_sampler.hpp"
+#include "ramify/tree/parenthesis_word.hpp"
+
+namespace ramify {
+namespace {
+
+const Cancellation never;
+
+/// The probability of every tree, by its word.
+using WordLaw = std::map<std::string, double>;
+
+/// All ways to put one tree of each law side by side.
+WordLaw side_by_side(const std::vector<WordLaw>& laws) {
+  WordLaw joined{{"", 1.0}};
+  for (const WordLaw& law : laws) {
+    WordLaw longer;
+    for (const auto& [left, p] : joined)
+      for (const auto& [right, q] : law) longer[left + right] += p * q;
+    joined = std::move(longer);
+  }
+  return joined;
+}
+
+/// Adds, with a weight, a node above.
+void add_node(const WordLaw& below, double weight, WordLaw& law) {
+  for (const auto& [word, p] : below)
+    if (weight > 0) law[word.empty() ? "E" : "(" + word + ")"] += weight * p;
+}
+
+double binomial(unsigned n, unsigned k, double p) {
+  return std::exp(std::lgamma(n + 1.0) - std::lgamma(k + 1.0) - std::lgamma(n - k + 1.0) + k * std::log(p) +
+                  (n - k) * std::log(1 - p));
+}
+
+test::Goodness words_against(const std::string& text, Size n, const WordLaw& law, const std::string& what) {
+  const Model model = Model::parse(text);
+  std::map<std::string, std::uint64_t> seen;
+  for (std::uint64_t replicate = 0; replicate < 60'000; ++replicate) {
+    Stream stream({test::seed_of("grown words"), model.stream_cell(n)}, replicate);
+    ++seen[to_parentheses(model.grown().grow(n, stream, never))];
+  }
+  std::vector<std::uint64_t> counts;
+  std::vector<double> probabilities;
+  for (const auto& [word, p] : law) {
+    counts.push_back(seen[word]);
+    probabilities.push_back(p);
+    seen.erase(word);
+  }
+  for (const auto& [word, count] : seen) {
+    counts.push_back(count);
+    probabilities.push_back(0);
+  }
+  return test::chi_square(fmt::format("{} n = {}, {} trees{}", text, n, law.size(), what), counts,
+                          probabilities);
+}
+
+/// A law of one size from those of smaller ones, by the definition with parameter p.
+using Define = std::function<WordLaw(unsigned n, double p)>;
+
+WordLaw trie_law(unsigned strings, double p) {
+  if (strings < 2) return {{"E", 1.0}};
+  // Without the strings all on one side, which leave the same number to the one child: that is summed over
+  // its repetitions.
+  WordLaw law;
+  for (unsigned left = 1; left < strings; ++left)
+    add_node(side_by_side({trie_law(left, p), trie_law(strings - left, p)}), binomial(strings, left, p), law);
+  const double one_sided = binomial(strings, 0, p) + binomial(strings, strings, p);
+  WordLaw with_chains;
+  for (const auto& [word, q] : law) {
+    std::string chained = word;
+    for (double weight = q; weight > 1e-12; weight *= one_sided) {
+      with_chains[chained] += weight;
+      chained = "(" + chained + ")";
+    }
+  }
+  return with_chains;
+}
+
+WordLaw ternary_law(unsigned n, double p) {
+  if (n == 0) return {{"E", 1.0}};
+  WordLaw law;
+  double sum = 0;
+  for (unsigned third = 0; third <= n / 2; ++third) sum += binomial(n, third, p);
+  for (unsigned third = 0; third <= n / 2; ++third) {
+    const unsigned second = third > 0 ? third - 1 : 0;
+    add_node(
+        side_by_side({ternary_law(n - 1 - second - third, p), ternary_law(second, p), ternary_law(third, p)}),
+        binomial(n, third, p) / sum, law);
+  }
+  return law;
+}
+
+WordLaw branching_law(unsigned generations, double p0, double p1) {
+  if (generations <= 1) return {{"E", 1.0}};
+  const WordLaw below = branching_law(generations - 1, p0, p1);
+  WordLaw law{{"E", p0}};
+  add_node(below, p1, law);
+  add_node(side_by_side({below, below}), 1 - p0 - p1, law);
+  return law;
+}
+
+/// Given the number of nodes: of all trees with them, in proportion to the product of their nodes'
+/// probabilities.
+WordLaw galton_watson_law(unsigned n, double p0, double p1, double p2) {
+  std::vector<WordLaw> weights{{}};
+  for (unsigned nodes = 1; nodes <= n; ++nodes) {
+    WordLaw law;
+    if (nodes == 1) law["E"] = p0;
+    add_node(weights[nodes - 1], p1, law);
+    for (unsigned left = 1; left + 1 < nodes; ++left)
+      add_node(side_by_side({weights[left], weights[nodes - 1 - left]}), p2, law);
+    weights.push_back(law);
+  }
+  return weights.back();
+}
+
+TEST(Trie, HasTheLawOfItsDefinition) {
+  for (const unsigned n : {0u, 1u, 2u, 3u, 5u})
+    EXPECT_TRUE(test::agrees(words_against("trie(0.3)", n, trie_law(n, 0.3), "")));
+  EXPECT_TRUE(test::rejected(words_against("trie(0.3)", 5, trie_law(5, 0.32), ", p off")));
+}
+
+TEST(Ternary, HasTheLawOfItsDefinition) {
+  for (const unsigned n : {0u, 1u, 2u, 3u, 6u})
+    EXPECT_TRUE(test::agrees(words_against("ternary(0.25)", n, ternary_law(n, 0.25), "")));
+  EXPECT_TRUE(test::rejected(words_against("ternary(0.25)", 6, ternary_law(6, 0.26), ", p off")));
+}
+
+TEST(Branching, HasTheLawOfItsDefinition) {
+  for (const unsigned n : {1u, 2u, 3u, 4u})
+    EXPECT_TRUE(test::agrees(words_against("branching(0.2,0.5,0.3)", n, branching_law(n, 0.2, 0.5), "")));
+  EXPECT_TRUE(
+      test::rejected(words_against("branching(0.2,0.5,0.3)", 4, branching_law(4, 0.21, 0.5), ", p0 off")));
+}
+
+TEST(GaltonWatson, HasTheLawOfItsDefinition) {
+  for (const unsigned n : {1u, 2u, 3u, 6u, 7u})
+    EXPECT_TRUE(test::agrees(
+        words_against("galton_watson(0.2,0.5,0.3)", n, galton_watson_law(n, 0.2, 0.5, 0.3), "")));
+  EXPECT_TRUE(
+      test::agrees(words_against("galton_watson(0.5,0,0.5)", 9, galton_watson_law(9, 0.5, 0, 0.5), "")));
+  EXPECT_TRUE(test::rejected(
+      words_against("galton_watson(0.2,0.5,0.3)", 7, galton_watson_law(7, 0.2, 0.47, 0.33), ", p1 off")));
+}
+
+// An order is what one-child nodes inherit, so a trie has that of its PATRICIA tree, exactly.
+TEST(Trie, HasTheOrdersOfPatriciaTrees) {
+  constexpr Size strings = 300;
+  const Model trie = Model::parse("trie(0.23)");
+  const auto law = build_law(Model::parse("patricia(0.23)"), strings, StrahlerLaw(strings));
+  const auto sampler = make_tree_sampler({trie, grow_all, strings, &never});
+  std::vector<std::uint64_t> orders(10, 0);
+  TreeMeasures measures;
+  for (std::uint64_t replicate = 0; replicate < 20'000; ++replicate) {
+    sampler->sample(strings, {test::seed_of("trie orders"), trie.stream_cell(strings)}, replicate, measures);
+    ASSERT_EQ(measures.streams[0], strings);
+    ++orders.at(measures.strahler);
+  }
+  const auto of = [&](Size n) {
+    const auto pmf = law.pmf(n);
+    std::vector<double> probabilities(pmf.begin(), pmf.end());
+    probabilities.resize(orders.size(), 0.0);
+    return probabilities;
+  };
+  EXPECT_TRUE(test::agrees(test::chi_square("orders of tries", orders, of(strings - 1))));
+  EXPECT_TRUE(
+      test::rejected(test::chi_square("orders of tries, 10 % fewer strings", orders, of(strings * 9 / 10))));
+}
+
+struct KnownMean {
+  const char* model;
+  Size n;
+  std::uint64_t trees;
+  const char* what;
+  double (*value)(const TreeMeasures&);
+  double mean;
+};
+
+class GrownModels : public testing::TestWithParam<KnownMean> {};
+
+TEST_P(GrownModels, HaveTheirKnownMeans) {
+  const KnownMean& known = GetParam();
+  const Model model = Model::parse(known.model);
+  const auto sampler = make_tree_sampler({model, grow_all, known.n, &never});
+  test::SampleMean mean;
+  TreeMeasures measures;
+  for (std::uint64_t replicate = 0; replicate < known.trees; ++replicate) {
+    sampler->sample(known.n, {test::seed_of("grown means"), model.stream_cell(known.n)}, replicate, measures);
+    mean.add(known.value(measures));
+  }
+  EXPECT_TRUE(test::agrees(test::z_test(fmt::format("{} {}", known.model, known.what), mean, known.mean)));
+}
+
+double order(const TreeMeasures& m) {
+  return m.strahler;
+}
+double size(const TreeMeasures& m) {
+  return static_cast<double>(m.size);
+}
+template <std::size_t k>
+double streams(const TreeMeasures& m) {
+  return static_cast<double>(m.streams[k]);
+}
+
+#define RAMIFY_A17 "ramification(" RAMIFY_SOURCE_DIR "/data/ramification_bst.csv)"
+
+// A22: exact, n = 1000. A17: exact, root order 6 of leaf order 1. tokunaga(1,2): given order K of leaf order
+// 1 a critical Galton-Watson tree has (2 4^(K-1) + 1)/3 leaves.
+INSTANTIATE_TEST_SUITE_P(Catalogue, GrownModels,
+                         testing::Values(KnownMean{"ternary(1/4.8)", 1000, 5'000, "order", order, 5.500746},
+                                         KnownMean{RAMIFY_A17, 5, 20'000, "internal nodes", size, 211.67030},
+                                         KnownMean{RAMIFY_A17, 5, 20'000, "streams 1", streams<1>, 74.7303},
+                                         KnownMean{RAMIFY_A17, 5, 20'000, "streams 4", streams<4>, 2.92308},
+                                         KnownMean{"tokunaga(1,2)", 4, 20'000, "leaves", streams<0>, 171}),
+                         [](const auto& instance) { return fmt::format("Case{}", instance.index); });
+
+}  // namespace
+}  // namespace ramify

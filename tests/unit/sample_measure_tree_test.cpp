@@ -1,0 +1,63 @@
+// A tree that is folded while it grows and the same tree stored and measured have the same statistics.
+#include <string>
+#include <variant>
+
+#include <gtest/gtest.h>
+
+#include "ramify/model/split_tree.hpp"
+#include "ramify/sample/measure_tree.hpp"
+#include "ramify/sample/tree_sampler.hpp"
+#include "ramify/tree/store.hpp"
+
+namespace ramify {
+namespace {
+
+TreeMeasures stored(const Model& model, Size n, StreamKey key, std::uint64_t replicate) {
+  return std::visit(
+      [&]<class Law>(const Law& law) {
+        Stream stream(key, replicate);
+        return measure_tree(grow_tree(SplitTree<Law>(law), n, stream), key, replicate);
+      },
+      model.law());
+}
+
+/// The walks are random, and a stored tree is folded in another order.
+void expect_same_but_for_the_walks(const TreeMeasures& a, const TreeMeasures& b, std::size_t orders) {
+  EXPECT_EQ(a.size, b.size);
+  EXPECT_EQ(a.strahler, b.strahler);
+  EXPECT_EQ(a.height, b.height);
+  EXPECT_EQ(a.fill_level, b.fill_level);
+  EXPECT_EQ(a.balance, b.balance);
+  EXPECT_EQ(a.path_length, b.path_length);
+  EXPECT_EQ(a.sackin, b.sackin);
+  EXPECT_EQ(a.colless, b.colless);
+  EXPECT_EQ(a.width, b.width);
+  EXPECT_EQ(a.nodes, b.nodes);
+  EXPECT_EQ(a.streams, b.streams);
+  for (std::size_t high = 0; high < orders; ++high)
+    for (std::size_t low = 0; low <= high; ++low)
+      EXPECT_EQ(a.bi_orders.joined(high, low), b.bi_orders.joined(high, low));
+}
+
+TEST(MeasureTree, SeesWhatTheGrowingPassSees) {
+  const Cancellation never;
+  for (const char* text : {"bst", "beta(0.1,0.1)", "patricia(0.23)", "catalan", "split(0.3)"}) {
+    const Model model = Model::parse(text);
+    const auto all = make_tree_sampler({model, grow_all, max_size, &never});
+    const auto full = make_tree_sampler({model, grow_full, max_size, &never});
+    for (const Size n : {0u, 1u, 2u, 7u, 100u, 20'000u}) {
+      SCOPED_TRACE(std::string(text) + ", n = " + std::to_string(n));
+      const StreamKey key{7, model.stream_cell(n)};
+      TreeMeasures grown, less;
+      all->sample(n, key, 3, grown);
+      full->sample(n, key, 3, less);
+      expect_same_but_for_the_walks(grown, stored(model, n, key, 3), 20);
+      EXPECT_EQ(grown.depth, less.depth);
+      EXPECT_EQ(grown.nodes, less.nodes);
+      EXPECT_EQ(grown.balance, less.balance);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace ramify
