@@ -44,7 +44,7 @@ void full_pass(benchmark::State& state, const Model& model) {
 
 const bool registered = [] {
   for (const char* text : {"bst", "beta(10,10)", "beta(2,2)", "beta_multinomial(2,2)", "split(0.25)",
-                           "dst(0.23)", "patricia(0.23)", "catalan"}) {
+                           "dst(0.23)", "patricia(0.23)", "catalan", "aldous(-1)"}) {
     benchmark::RegisterBenchmark(
         (std::string("full_pass/") + text).c_str(),
         [model = Model::parse(text)](benchmark::State& state) { full_pass(state, model); })

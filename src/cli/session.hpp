@@ -23,6 +23,7 @@ struct Session {
 void add_list(CLI::App& app, Session& session);
 void add_sample(CLI::App& app, Session& session);
 void add_law(CLI::App& app, Session& session);
+void add_test(CLI::App& app, Session& session);
 void add_theory(CLI::App& app, Session& session);
 void add_run(CLI::App& app, Session& session);
 void add_reproduce(CLI::App& app, Session& session);

@@ -18,6 +18,7 @@ void furnish(const Scratch& scratch) {
   for (const char* name : {"data", "configs"})
     std::filesystem::create_directory_symlink(std::filesystem::path(RAMIFY_SOURCE) / name, scratch / name);
   scratch.file("mine.csv", "order,count\n1,279\n2,52\n3,7\n4,1\n");
+  scratch.file("my_tree.txt", "((E(E(EE)))((E(EE))((E(EE))((EE)(E(E(EE)))))))\n");
   scratch.file("splits.csv", "n,left,probability\n2,0,0.5\n2,1,0.5\n3,0,0.25\n3,1,0.5\n3,2,0.25\n");
 }
 

@@ -1,9 +1,11 @@
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <string>
 #include <vector>
 
 #include "support/growing.hpp"
+#include "support/shape.hpp"
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -70,6 +72,40 @@ TEST(FixedSplitTree, OfOneHalfIsComplete) {
     EXPECT_EQ(measures.nodes, measures.streams);
     for (std::size_t k = 0; k < levels; ++k) EXPECT_EQ(measures.streams[k], 2 * measures.streams[k + 1]);
     EXPECT_NEAR(order_ratios(to_top(measures.nodes, measures.strahler)).mean_ratio, 2, 1e-14);
+  }
+}
+
+TEST(CompleteTree, IsPerfectWhereItCanBe) {
+  const auto source = test::tree_source("complete", {0, 0}, test::default_tables);
+  for (std::size_t levels = 1; levels <= 6; ++levels)
+    EXPECT_EQ(to_parentheses(source((Size{1} << levels) - 1, 0)),
+              test::to_word(test::complete_shape(levels)));
+  EXPECT_EQ(to_parentheses(source(5, 0)), "(((EE)(EE))(EE))");
+  EXPECT_EQ(to_parentheses(source(6, 0)), "(((EE)(EE))((EE)E))");
+}
+
+// A3: order, fill level and balance number are as large as n allows, the height as small.
+TEST(CompleteTree, IsExtremeAtEverySize) {
+  for (Size n = 1; n <= 300; ++n) {
+    const TreeMeasures measures = measures_of("complete", n);
+    const auto most = static_cast<std::uint32_t>(std::bit_width(n + 1) - 1);
+    EXPECT_EQ(measures.strahler, most) << n;
+    EXPECT_EQ(measures.fill_level, most) << n;
+    EXPECT_EQ(measures.balance, most) << n;
+    EXPECT_EQ(measures.height, static_cast<std::uint32_t>(std::bit_width(n)) + 1) << n;
+    EXPECT_EQ(measures.streams[1], (n + 1) / 2) << n;
+  }
+}
+
+// A4: R_1 = (n+1)/n in nodes; theory.md 0.
+TEST(Chain, HasThePrintedCounts) {
+  for (const Size n : {1u, 2u, 3u, 10u, 500u}) {
+    const TreeMeasures measures = measures_of("chain", n);
+    EXPECT_EQ(to_top(measures.nodes, measures.strahler), (Counts{n + 1, n}));
+    EXPECT_EQ(to_top(measures.streams, measures.strahler), (Counts{n + 1, 1}));
+    EXPECT_EQ(measures.height, n + 1);
+    EXPECT_EQ(measures.depth, n);
+    EXPECT_EQ(measures.fill_level, 1u);
   }
 }
 

@@ -142,7 +142,8 @@ INSTANTIATE_TEST_SUITE_P(Exact, LawOfModel,
                          testing::Values("bst", "beta(2,5)", "beta(0.1,0.1)", "beta(10,80)",
                                          "beta_multinomial(2,5)", "beta_multinomial(0.1,0.1)", "split(0.25)",
                                          "split(0.7)", "dst(0.23)", "dst(0.9)", "patricia(0.23)",
-                                         "patricia(0.5)", "catalan"));
+                                         "patricia(0.5)", "catalan", "aldous(-1.9)", "aldous(-1)",
+                                         "aldous(3)", "complete", "chain"));
 
 // The neighbours that the enumeration must tell apart: dst for patricia, nodes for streams, balance for
 // order.
@@ -167,6 +168,22 @@ TEST(Laws, DoNotTellBetaWithOneMoreOnTheRightFromTheSymmetricBeta) {
   // They are near enough to each other that a third law is needed to show that the comparison can fail.
   const ExactMeans other(Model::parse("beta(2,4)"), n);
   EXPECT_GT(std::abs(other.moments("strahler", n)->mean - even.moments("strahler", n)->mean), 1e-3);
+}
+
+void expect_same_moments(const char* one, const char* other) {
+  constexpr Size n = 300;
+  const ExactMeans first(Model::parse(one), n), second(Model::parse(other), n);
+  for (const char* column :
+       {"strahler", "height", "depth", "fill_level", "balance", "nodes_2", "streams_3"}) {
+    const auto truth = *second.moments(column, n);
+    EXPECT_NEAR(first.moments(column, n)->mean / truth.mean, 1, 1e-12) << one << ' ' << column;
+    EXPECT_NEAR(first.moments(column, n)->variance / truth.variance, 1, 1e-10) << one << ' ' << column;
+  }
+}
+
+TEST(Laws, OfAldousTreesAreThoseOfTheBstAndOfCatalan) {
+  expect_same_moments("aldous(0)", "bst");
+  expect_same_moments("aldous(-3/2)", "catalan");
 }
 
 TEST(Laws, OfBetaOneOneAreThoseOfTheBst) {

@@ -19,7 +19,12 @@ const std::vector<std::string>& all_models() {
                                                "dst(1/2)",
                                                "patricia(1/4.35)",
                                                "patricia(0.7)",
-                                               "catalan"};
+                                               "catalan",
+                                               "aldous(-1.75)",
+                                               "aldous(-1)",
+                                               "aldous(2)",
+                                               "complete",
+                                               "chain"};
   return models;
 }
 

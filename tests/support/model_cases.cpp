@@ -31,6 +31,12 @@ SplitPmf short_patricia(double p) {
 SplitPmf thesis_binomial(double p) {
   return [=](Size n) { return thesis_binomial_law(n, p); };
 }
+SplitPmf aldous(double beta) {
+  return [=](Size n) { return aldous_law(n, beta); };
+}
+SplitPmf short_aldous(double beta) {
+  return [=](Size n) { return short_aldous_law(n, beta); };
+}
 SplitPmf split(double x) {
   return [=](Size n) { return split_law(n, x); };
 }
@@ -103,12 +109,45 @@ std::vector<ModelCase> string_models() {
   };
 }
 
+std::vector<ModelCase> aldous_models() {
+  return {
+      {"aldous(-1.999)", aldous(-1.999), {}, {{"chain", chain_law}, {"beta = -1.99", aldous(-1.99)}}},
+      {"aldous(-1.9)", aldous(-1.9), {{"beta = -1.85", aldous(-1.85)}}, {{"n leaves", short_aldous(-1.9)}}},
+      {"aldous(-3/2)", catalan_law, {{"beta = -1.4", aldous(-1.4)}}, {{"n leaves", short_catalan_law}}},
+      {"aldous(-1)",
+       aldous(-1),
+       {{"beta = -0.8", aldous(-0.8)}, {"bst", uniform_law}},
+       {{"n leaves", short_aldous(-1)}}},
+      {"aldous(-0.5)",
+       aldous(-0.5),
+       {{"empty sides too", beta_multinomial(0.5, 0.5)}},
+       {{"n leaves", short_aldous(-0.5)}}},
+      {"aldous(-0.01)", aldous(-0.01), {{"beta = 0.2", aldous(0.2)}}, {{"n leaves", short_aldous(-0.01)}}},
+      {"aldous(0)", uniform_law, {{"beta = -0.2", aldous(-0.2)}}, {{"n leaves", short_uniform_law}}},
+      {"aldous(10)",
+       aldous(10),
+       {{"beta = 5", aldous(5)}},
+       {{"n leaves", short_aldous(10)}, {"empty sides too", beta_multinomial(11, 11)}}},
+      {"aldous(1e9)", patricia(0.5), {{"p = 0.49", patricia(0.49)}}, {{"dst", dst(0.5)}}},
+  };
+}
+
+std::vector<ModelCase> extreme_shapes() {
+  return {
+      {"complete",
+       complete_law,
+       {{"filled from the right", right_complete_law}, {"the last node on the right", short_complete_law}},
+       {}},
+      {"chain", chain_law, {{"on the left", left_chain_law}, {"bst", uniform_law}}, {}},
+  };
+}
+
 }  // namespace
 
 const std::vector<ModelCase>& model_cases() {
   static const std::vector<ModelCase> cases = [] {
     auto all = floor_models();
-    for (const auto& more : {multinomial_models(), string_models()})
+    for (const auto& more : {multinomial_models(), string_models(), aldous_models(), extreme_shapes()})
       all.insert(all.end(), more.begin(), more.end());
     return all;
   }();

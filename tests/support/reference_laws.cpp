@@ -129,6 +129,33 @@ std::vector<double> patricia_law(Size n, double p) {
   return inner_binomial(n + 1, p);
 }
 
+std::vector<double> aldous_law(Size n, double beta) {
+  std::vector<Real> f{1};  // Gamma(beta+1+k) / (Gamma(beta+2) k!), k = 1..n
+  for (Size k = 1; k < n; ++k) f.push_back(f.back() * (Real(beta) + Real(k + 1)) / Real(k + 1));
+  std::vector<Real> weights;
+  for (Size i = 0; i < n; ++i) weights.push_back(f[i] * f[n - 1 - i]);
+  return scaled(weights);
+}
+
+std::vector<double> complete_law(Size n) {
+  Size left = 0;  // nodes that come to node 2 on the way up, i -> i/2, to the root
+  for (Size node = 2; node <= n; ++node) {
+    Size above = node;
+    while (above > 3) above /= 2;
+    if (above == 2) ++left;
+  }
+  std::vector<double> law(n, 0.0);
+  law[left] = 1;
+  return law;
+}
+
+std::vector<double> chain_law(Size n) {
+  if (n == 1) return {1.0};
+  std::vector<double> law(n, 0.0);
+  law[0] = law[n - 1] = 0.5;
+  return law;
+}
+
 std::vector<double> thesis_binomial_law(Size n, double p) {
   auto weights = binomial(n, p);
   weights.pop_back();
@@ -155,6 +182,26 @@ std::vector<double> short_patricia_law(Size n, double p) {
 
 std::vector<double> short_catalan_law(Size n) {
   return n == 1 ? uniform_law(1) : appended_zero(catalan_law(n - 1));
+}
+
+std::vector<double> short_aldous_law(Size n, double beta) {
+  return n == 1 ? uniform_law(1) : appended_zero(aldous_law(n - 1, beta));
+}
+
+std::vector<double> right_complete_law(Size n) {
+  auto law = complete_law(n);
+  std::reverse(law.begin(), law.end());
+  return law;
+}
+
+std::vector<double> short_complete_law(Size n) {
+  return n == 1 ? uniform_law(1) : appended_zero(complete_law(n - 1));
+}
+
+std::vector<double> left_chain_law(Size n) {
+  std::vector<double> law(n, 0.0);
+  law[n - 1] = 1;
+  return law;
 }
 
 }  // namespace ramify::test

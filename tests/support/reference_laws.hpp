@@ -17,6 +17,9 @@ std::vector<double> beta_multinomial_law(Size n, double a, double b);
 std::vector<double> catalan_law(Size n);
 std::vector<double> dst_law(Size n, double p);
 std::vector<double> patricia_law(Size n, double p);
+std::vector<double> aldous_law(Size n, double beta);
+std::vector<double> complete_law(Size n);
+std::vector<double> chain_law(Size n);
 
 /// Slip: Binomial(n, p) in place of Binomial(n-1, p), X = n left out (X16).
 std::vector<double> thesis_binomial_law(Size n, double p);
@@ -35,5 +38,17 @@ std::vector<double> short_patricia_law(Size n, double p);
 
 /// Slip: C_i C_(n-2-i), i = 0..n-2.
 std::vector<double> short_catalan_law(Size n);
+
+/// Slip: n leaves in place of n+1.
+std::vector<double> short_aldous_law(Size n, double beta);
+
+/// Slip: the last level filled from the right.
+std::vector<double> right_complete_law(Size n);
+
+/// Slip: the split of n-1 nodes, the last one on the right.
+std::vector<double> short_complete_law(Size n);
+
+/// Slip: always on the left.
+std::vector<double> left_chain_law(Size n);
 
 }  // namespace ramify::test

@@ -4,6 +4,8 @@
 #include <numeric>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "ramify/random/uniform.hpp"
 
 namespace ramify::test {
@@ -67,6 +69,92 @@ int grow_by_order_statistics(std::size_t n, std::size_t a, std::size_t b, Stream
   return node;
 }
 
+/// Segments by number: 0 is the stem, below it those of the nodes' left and right children.
+int& segment(LinkedTree& tree, std::size_t number) {
+  if (number == 0) return tree.root;
+  auto& node = tree.nodes[(number - 1) / 2];
+  return number % 2 == 1 ? node.left : node.right;
+}
+
+/// Puts a new internal node on a segment, between a new external node on one side and what was there.
+void bifurcate(LinkedTree& tree, std::size_t number, bool keeps_left) {
+  int& place = segment(tree, number);
+  const int below = std::exchange(place, static_cast<int>(tree.nodes.size()));
+  tree.nodes.push_back(keeps_left ? LinkedTree::Node{below, -1} : LinkedTree::Node{-1, below});
+}
+
+LinkedTree grow_by_segments(std::size_t n, std::size_t first, Stream& stream) {
+  LinkedTree tree;
+  bifurcate(tree, 0, true);
+  while (tree.nodes.size() < n) {
+    const std::size_t number = first + uniform_below(stream, 2 * tree.nodes.size() + 1 - first);
+    bifurcate(tree, number, uniform_below(stream, 2) == 0);
+  }
+  return tree;
+}
+
+/// A PATRICIA tree under construction: a node knows which bit it looks at; children >= 0 are nodes, others
+/// strings: -1 - number.
+class StringTree {
+ public:
+  StringTree(double p, Stream& stream) : p_(p), stream_(stream) {}
+
+  void insert() {
+    strings_.emplace_back();
+    const std::size_t added = strings_.size() - 1;
+    if (added == 0) return;
+    const int met = *descend(added, [](const Node&) { return true; });
+    const std::size_t other = string_of(met);
+    std::size_t level = 0;
+    while (bit(added, level) == bit(other, level)) ++level;
+    int* place = descend(added, [level](const Node& node) { return node.level < level; });
+    const int below = std::exchange(*place, static_cast<int>(nodes_.size()));
+    const int leaf = -1 - static_cast<int>(added);
+    nodes_.push_back(bit(added, level) ? Node{level, leaf, below} : Node{level, below, leaf});
+  }
+
+  LinkedTree shape() const {
+    LinkedTree tree;
+    const auto number = [](int child) { return std::max(child, -1); };
+    for (const Node& node : nodes_) tree.nodes.push_back({number(node.left), number(node.right)});
+    tree.root = number(root_);
+    return tree;
+  }
+
+ private:
+  struct Node {
+    std::size_t level;
+    int left, right;
+  };
+
+  static std::size_t string_of(int child) { return static_cast<std::size_t>(-1 - child); }
+  bool bit(std::size_t string, std::size_t level) { return strings_[string].bit(level, p_, stream_); }
+
+  /// Where the string's own bits lead, as long as there are nodes and goes_on(node).
+  template <class GoesOn>
+  int* descend(std::size_t string, GoesOn goes_on) {
+    int* place = &root_;
+    while (*place >= 0) {
+      Node& node = nodes_[static_cast<std::size_t>(*place)];
+      if (!goes_on(node)) break;
+      place = bit(string, node.level) ? &node.left : &node.right;
+    }
+    return place;
+  }
+
+  double p_;
+  Stream& stream_;
+  std::vector<BitString> strings_;
+  std::vector<Node> nodes_;
+  int root_ = -1;  // the first string
+};
+
+std::string word_below(const LinkedTree& tree, int node) {
+  if (node == -1) return "E";
+  const auto& children = tree.nodes[static_cast<std::size_t>(node)];
+  return fmt::format("({}{})", word_below(tree, children.left), word_below(tree, children.right));
+}
+
 OrderAndHeight look_below(const LinkedTree& tree, int node) {
   if (node == -1) return {0, 1};
   const auto& children = tree.nodes[static_cast<std::size_t>(node)];
@@ -101,6 +189,29 @@ LinkedTree patricia_of_strings(std::size_t n, double p, Stream& stream) {
   LinkedTree tree;
   tree.root = contract_trie(strings, 0, n + 1, 0, p, stream, tree);
   return tree;
+}
+
+LinkedTree patricia_by_insertion(std::size_t n, double p, Stream& stream) {
+  StringTree tree(p, stream);
+  for (std::size_t i = 0; i <= n; ++i) tree.insert();
+  return tree.shape();
+}
+
+LinkedTree terminal_growth(std::size_t n, Stream& stream) {
+  LinkedTree tree;
+  while (tree.nodes.size() < n) {
+    const std::size_t number = uniform_below(stream, 2 * tree.nodes.size() + 1);
+    if (segment(tree, number) == -1) bifurcate(tree, number, true);
+  }
+  return tree;
+}
+
+LinkedTree segmental_growth(std::size_t n, Stream& stream) {
+  return grow_by_segments(n, 0, stream);
+}
+
+LinkedTree stemless_segmental_growth(std::size_t n, Stream& stream) {
+  return grow_by_segments(n, 1, stream);
 }
 
 LinkedTree catalan_by_remy(std::size_t n, Stream& stream) {
@@ -146,6 +257,10 @@ LinkedTree beta_multinomial_by_insertion(std::size_t n, double a, double b, Stre
 
 OrderAndHeight order_and_height(const LinkedTree& tree) {
   return look_below(tree, tree.root);
+}
+
+std::string to_word(const LinkedTree& tree) {
+  return word_below(tree, tree.root);
 }
 
 }  // namespace ramify::test

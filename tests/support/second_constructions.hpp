@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "ramify/random/stream.hpp"
@@ -30,9 +31,23 @@ LinkedTree dst_by_insertion(std::size_t n, double p, Stream& stream);
 /// The trie of n+1 random bit strings, its one-child nodes contracted (A12, A13).
 LinkedTree patricia_of_strings(std::size_t n, double p, Stream& stream);
 
-/// Remy's algorithm (1985): a new leaf grows out of a uniformly chosen node, on a uniformly chosen side (A15,
-/// A16).
+/// n+1 random bit strings inserted one by one into a PATRICIA tree: the first bit at which a string differs
+/// from the one its own bits lead to splits an edge (A13).
+LinkedTree patricia_by_insertion(std::size_t n, double p, Stream& stream);
+
+/// Remy's algorithm (1985): a new leaf grows out of a uniformly chosen node, on a uniformly chosen side
+/// (A15). Knuth's arrays, which know the segments of segmental_growth by other numbers.
 LinkedTree catalan_by_remy(std::size_t n, Stream& stream);
+
+/// A uniformly chosen terminal segment bifurcates, n times (A16, Horsfield and Woldenberg 1986).
+LinkedTree terminal_growth(std::size_t n, Stream& stream);
+
+/// A terminal segment is attached, on either side alike, to a segment chosen uniformly among all, the stem
+/// below the root included; n times (A16).
+LinkedTree segmental_growth(std::size_t n, Stream& stream);
+
+/// Slip: nothing grows out of the stem.
+LinkedTree stemless_segmental_growth(std::size_t n, Stream& stream);
 
 /// Floor split tree with X the a-th smallest of a+b-1 uniforms, which is beta(a,b); whole a, b >= 1 (A8).
 LinkedTree beta_by_order_statistics(std::size_t n, std::size_t a, std::size_t b, Stream& stream);
@@ -48,5 +63,8 @@ struct OrderAndHeight {
   std::size_t height;
 };
 OrderAndHeight order_and_height(const LinkedTree& tree);
+
+/// "((EE)E)"
+std::string to_word(const LinkedTree& tree);
 
 }  // namespace ramify::test

@@ -88,11 +88,13 @@ TEST_P(LawLimit, IsKeptAndTheSizeSuggestedIsNearIt) {
 INSTANTIATE_TEST_SUITE_P(Models, LawLimit,
                          testing::Values("bst", "beta(2,5)", "beta(0.01,0.01)", "beta(1e9,1e9)",
                                          "beta_multinomial(2,5)", "split(0.25)", "dst(0.3)", "patricia(1e-9)",
-                                         "catalan"));
+                                         "catalan", "aldous(-1.9)", "aldous(-1)", "aldous(-0.99)",
+                                         "aldous(2)", "complete", "chain"));
 
 TEST(LawLimit, GrowsWithEverySize) {
-  for (const char* text : {"bst", "beta(0.1,0.1)", "beta(1e300,1e-300)", "beta_multinomial(0.1,0.1)",
-                           "split(0.01)", "patricia(0.5)", "catalan"}) {
+  for (const char* text :
+       {"bst", "beta(0.1,0.1)", "beta(1e300,1e-300)", "beta_multinomial(0.1,0.1)", "split(0.01)",
+        "patricia(0.5)", "catalan", "aldous(-1.9)", "aldous(-1)", "aldous(-0.999)", "complete", "chain"}) {
     for (const LawKind kind :
          {LawKind::bounded, LawKind::height, LawKind::depth, LawKind::order_means, LawKind::order_moments}) {
       LawCost last{0, 0};

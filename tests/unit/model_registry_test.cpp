@@ -38,6 +38,9 @@ TEST(Model, ReadsEveryModel) {
   EXPECT_EQ(std::get<BetaMultinomial>(Model::parse("beta_multinomial(2,1/3)").law()).b(), 1.0 / 3);
   EXPECT_EQ(std::get<Patricia>(Model::parse("patricia(1/4.35)").law()).p(), 1 / 4.35);
   EXPECT_EQ(std::get<Dst>(Model::parse("dst(0.23)").law()).p(), 0.23);
+  EXPECT_EQ(std::get<Aldous>(Model::parse("aldous(-3/2)").law()).beta(), -1.5);
+  EXPECT_TRUE(std::holds_alternative<Complete>(Model::parse("complete").law()));
+  EXPECT_TRUE(std::holds_alternative<Chain>(Model::parse("chain").law()));
   EXPECT_EQ(std::get<FixedSplit>(Model::parse("split(0.25)").law()).x(), 0.25);
 }
 
@@ -75,21 +78,26 @@ TEST(Model, RefusesAParameterOutOfItsDomain) {
   for (const char* text : {"beta(0,1)", "beta(1,0)", "beta(-1,1)", "beta(1,-2)", "beta_multinomial(0,1)",
                            "beta_multinomial(1,-2)"})
     EXPECT_TRUE(says(refusal(text), "must be a finite number above 0")) << text;
-  EXPECT_EQ(refusal("beta(0.01,1000)"), "accepted");
+  for (const char* text : {"aldous(-2)", "aldous(-3)"})
+    EXPECT_TRUE(says(refusal(text), "must be a finite number above -2")) << text;
+  for (const char* text : {"beta(0.01,1000)", "aldous(-1.9999999999999998)", "aldous(1e300)"})
+    EXPECT_EQ(refusal(text), "accepted") << text;
 }
 
 TEST(Model, RefusesSizesItCannotDraw) {
   const Size limit = Size{1} << 50;
-  for (const char* text :
-       {"beta(2,3)", "beta_multinomial(2,3)", "split(0.3)", "dst(0.3)", "patricia(0.3)", "catalan"}) {
+  for (const char* text : {"beta(2,3)", "beta_multinomial(2,3)", "split(0.3)", "dst(0.3)", "patricia(0.3)",
+                           "catalan", "aldous(-1)"}) {
     const Model model = Model::parse(text);
     EXPECT_EQ(model.largest_size(), limit);
     EXPECT_NO_THROW(model.require_size(limit));
     EXPECT_THROW(model.require_size(limit + 1), Error);
   }
-  const Model bst = Model::parse("bst");
-  EXPECT_NO_THROW(bst.require_size(Size{1} << 62));
-  EXPECT_THROW(bst.require_size((Size{1} << 62) + 1), Error);
+  for (const char* text : {"bst", "complete", "chain"}) {
+    const Model model = Model::parse(text);
+    EXPECT_NO_THROW(model.require_size(Size{1} << 62));
+    EXPECT_THROW(model.require_size((Size{1} << 62) + 1), Error);
+  }
 }
 
 TEST(Model, HashesValuesNotSpelling) {
@@ -120,8 +128,9 @@ TEST(Models, AreListedOnceEachWithTheirSource) {
     EXPECT_FALSE(info.n_counts.empty());
   }
   EXPECT_EQ(names, (std::set<std::string_view>{"bst", "beta", "beta_multinomial", "split", "dst", "patricia",
-                                               "catalan", "file", "trie", "ternary", "branching", "galton_watson",
-                                               "tokunaga", "ramification", "kary", "flow_rate"}));
+                                               "catalan", "aldous", "complete", "chain", "file", "trie",
+                                               "ternary", "branching", "galton_watson", "tokunaga",
+                                               "ramification", "kary", "flow_rate"}));
   for (const auto& info : models())
     if (info.name == "beta") {
       EXPECT_EQ(info.signature(), "beta(a,b)");

@@ -187,6 +187,38 @@ std::vector<double> inner_law(std::uint64_t m, double p) {
   return law;
 }
 
+std::vector<double> positive_law(std::uint64_t m, double p) {
+  auto law = binomial_law(m, p);
+  law.front() = 0;
+  return law;
+}
+
+TEST(PositiveBinomialVariate, AgreesWithItsLaw) {
+  const std::vector<Binomial> cases{{1, 0.3},  {2, 0.6},    {2, 0.9},    {16, 0.5}, {17, 0.5},
+                                    {9, 0.02}, {100, 0.01}, {100, 0.99}, {60, 0.2}, {1000, 0.0001}};
+  for (const auto& [trials, p] : cases) {
+    Stream stream({seed_of("positive binomial"), trials}, static_cast<std::uint64_t>(10000 * p));
+    std::vector<std::uint64_t> counts(trials + 1, 0), any(trials + 1, 0);
+    for (int i = 0; i < 200000; ++i) {
+      ++counts.at(positive_binomial_variate(stream, trials, UnitPair{p, 1 - p}));
+      ++any.at(binomial_variate(stream, trials, UnitPair{p, 1 - p}));
+    }
+    EXPECT_TRUE(agrees(chi_square("positive binomial", counts, positive_law(trials, p))));
+    if (std::pow(1 - p, static_cast<double>(trials)) > 1e-3) {
+      EXPECT_TRUE(rejected(chi_square("positive binomial, 0 too", any, positive_law(trials, p))));
+    }
+  }
+}
+
+TEST(PositiveBinomialVariate, HasItsLimitsAtTheEnds) {
+  Stream stream({seed_of("positive binomial, ends"), 0}, 0);
+  for (const std::uint64_t m : {std::uint64_t{1}, std::uint64_t{2}, std::uint64_t{1} << 50}) {
+    EXPECT_EQ(positive_binomial_variate(stream, m, UnitPair{0, 1}), 1u);
+    EXPECT_EQ(positive_binomial_variate(stream, m, UnitPair{1e-300, 1}), 1u);
+    EXPECT_EQ(positive_binomial_variate(stream, m, UnitPair{1, 0}), m);
+  }
+}
+
 TEST(InnerBinomialVariate, AgreesWithItsLaw) {
   const std::vector<Binomial> cases{{2, 0.3},    {3, 0.5},     {3, 0.1},    {16, 0.5},     {17, 0.5},
                                     {17, 0.501}, {20, 0.01},   {20, 0.99},  {100, 0.0799}, {100, 0.0801},

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -181,6 +182,22 @@ TEST(HortonRatioConstant, OfTheModelsWithAClosedForm) {
   EXPECT_FALSE(ramify::horton_ratio_constant(Model::parse("dst(0.25)")));
   EXPECT_NE(ramify::horton_ratio_constant(Model::parse("catalan"))->formula.find("streams"),
             std::string::npos);
+}
+
+// theory.md 6; beta = 0 and -3/2 are known otherwise.
+TEST(HortonRatioConstant, OfAldousTrees) {
+  for (const auto& [model, ratio] :
+       std::vector<std::pair<const char*, double>>{{"aldous(-1.9)", 7.236705313124},
+                                                   {"aldous(-3/2)", 4},
+                                                   {"aldous(-1)", 3.425181982575},
+                                                   {"aldous(0)", bst_ratio},
+                                                   {"aldous(1)", 2.875058914005}}) {
+    const auto constant = ramify::horton_ratio_constant(Model::parse(model));
+    ASSERT_TRUE(constant) << model;
+    EXPECT_NEAR(constant->value, ratio, constant->error + 1e-12) << model;
+    EXPECT_LE(constant->error, 1e-8 * ratio) << model;
+    EXPECT_NEAR(ramify::strahler_constant(Model::parse(model))->value, 1 / std::log(ratio), 1e-8) << model;
+  }
 }
 
 TEST(StrahlerConstant, IsOneOverTheLogarithmOfTheRatio) {

@@ -117,6 +117,18 @@ const std::vector<Known> known_constants{
     {"beta_multinomial(10,80)", "balance", 0.5275720393, 1e-10},
     {"beta_multinomial(10,80)", "split_mean", 1.0 / 9, 1e-16},
     {"beta_multinomial(10,80)", "split_variance", 800.0 / (8100 * 91), 1e-18},
+    {"aldous(0)", "depth", 2, 1e-15},
+    {"aldous(1)", "height", 3.192582835094, 1e-12},
+    {"aldous(-0.5)", "fill_level", 0.2176279414, 1e-10},
+    {"aldous(0)", "balance", 1.02624823037913934, 1e-12},
+    {"aldous(1)", "split_mean", 0.5, 0},
+    {"aldous(1)", "split_variance", 0.05, 1e-17},
+    {"complete", "depth", 1.4426950408889634, 2e-16},
+    {"complete", "height", 1.4426950408889634, 2e-16},
+    {"complete", "strahler", 1.4426950408889634, 2e-16},
+    {"complete", "fill_level", 1.4426950408889634, 2e-16},
+    {"complete", "balance", 1.4426950408889634, 2e-16},
+    {"complete", "horton_ratio", 2, 0},
     {"bst", "split_mean", 0.5, 0},
     {"bst", "split_variance", 1.0 / 12, 1e-17},
 };
@@ -179,12 +191,17 @@ TEST(Constants, AreListedInTheOrderOfTheTable) {
   EXPECT_EQ(names("patricia(0.2)"), names("bst"));
   EXPECT_EQ(names("split(0.2)"), names("bst"));
   EXPECT_EQ(names("dst(0.2)"), (Names{"depth", "height", "split_mean", "split_variance"}));
-  EXPECT_EQ(names("catalan"), (Names{"strahler", "horton_ratio"}));
+  for (const char* model : {"catalan", "aldous(-1)", "aldous(-1.25)"})
+    EXPECT_EQ(names(model), (Names{"strahler", "horton_ratio"})) << model;
+  EXPECT_EQ(names("aldous(-0.5)"), names("bst"));
+  EXPECT_EQ(names("complete"),
+            (Names{"depth", "height", "strahler", "horton_ratio", "fill_level", "balance"}));
+  EXPECT_EQ(names("chain"), Names{});
 }
 
 TEST(Constants, SaysWhereTheyComeFrom) {
-  for (const char* model :
-       {"bst", "beta(2,5)", "beta_multinomial(2,5)", "split(0.2)", "dst(0.2)", "patricia(0.2)", "catalan"})
+  for (const char* model : {"bst", "beta(2,5)", "beta_multinomial(2,5)", "split(0.2)", "dst(0.2)",
+                            "patricia(0.2)", "catalan", "aldous(-1)", "aldous(1)", "complete"})
     for (const auto& constant : ramify::constants(Model::parse(model))) {
       EXPECT_FALSE(constant.formula.empty()) << model << " " << constant.name;
       EXPECT_FALSE(constant.source.empty()) << model << " " << constant.name;

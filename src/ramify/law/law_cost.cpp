@@ -38,6 +38,9 @@ RowCost rows(const Beta&, double n) {
 RowCost rows(const BetaMultinomial&, double n) {
   return dense(n, 12, 24);
 }
+RowCost rows(const Aldous&, double n) {
+  return dense(n, 12, 24);
+}
 RowCost rows(const Dst& law, double n) {
   return binomial(n, law.p());
 }
@@ -49,8 +52,17 @@ RowCost rows(const TabulatedSplit&, double n) {
   return dense(n, 8, 24);
 }
 /// One entry a size: the call of a sum costs as much as 25.
-RowCost rows(const FixedSplit&, double n) {
+RowCost single(double n) {
   return {n * 25, 4, 24};
+}
+RowCost rows(const FixedSplit&, double n) {
+  return single(n);
+}
+RowCost rows(const Complete&, double n) {
+  return single(n);
+}
+RowCost rows(const Chain&, double n) {
+  return single(n);
 }
 
 /// What a law keeps for each size, and the time it takes for each entry of a row.

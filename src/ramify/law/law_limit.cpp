@@ -45,6 +45,15 @@ Limit limit(const TabulatedSplit& law) {
 Limit limit(const FixedSplit& law) {
   return of_fraction(law.x());
 }
+Limit limit(const Aldous& law) {
+  return of_fraction(law.beta() + 1, law.beta() + 1);
+}
+Limit limit(const Complete&) {
+  return of_fraction(0.5);
+}
+Limit limit(const Chain&) {
+  return {16384, 4096};  // one entry a row, one value a size
+}
 
 }  // namespace
 

@@ -59,6 +59,10 @@ Fraction fraction(const Beta& law) {
 Fraction fraction(const BetaMultinomial& law) {
   return {law.a(), law.b()};
 }
+/// beta > -1; below, there is none.
+Fraction fraction(const Aldous& law) {
+  return {law.beta() + 1, law.beta() + 1};
+}
 Fraction fraction(const FixedSplit& law) {
   return Fraction(law.x());
 }
@@ -67,6 +71,11 @@ Fraction fraction(const Dst& law) {
 }
 Fraction fraction(const Patricia& law) {
   return Fraction(law.p());
+}
+
+/// All subtrees of a node but one are perfect.
+Fraction fraction(const Complete&) {
+  return Fraction(0.5);
 }
 
 /// The beta law that has mean and variance of the middles of a row's cells; a table of chains gives a wide
@@ -118,6 +127,14 @@ double heights(const Fraction& x, double n) {
   return high - low;
 }
 
+/// Of depths and of heights alike where they grow like n^e, e = -1-beta, and at beta = -1, where they grow
+/// like log^2 n; above, no more than there. Fitted to laws at n = 250..1000.
+double deep_width(const Aldous& law, double n) {
+  const double e = std::max(0.0, -1 - law.beta()), log_n = std::log(n);
+  const double growth = e == 0 ? log_n : std::expm1(e * log_n) / e;
+  return (0.5 + 0.9 * e) * std::pow(log_negligible, 1 - e) * growth;
+}
+
 /// depths or heights of a model, for models that have a fraction.
 template <class OfFraction>
 double width(const Model& model, Size size, OfFraction of_fraction) {
@@ -125,14 +142,19 @@ double width(const Model& model, Size size, OfFraction of_fraction) {
   const double values = std::visit(
       [&]<class Law>(const Law& law) {
         if constexpr (std::is_same_v<Law, Catalan>)
-          return catalan_reach * std::sqrt(n);
+          return catalan_reach * std::sqrt(n) + spread;
+        else if constexpr (std::is_same_v<Law, Chain>)
+          return 1.0;
+        else if constexpr (std::is_same_v<Law, Aldous>)
+          return spread + (law.beta() <= -1 ? deep_width(law, n)
+                                            : std::min(deep_width(law, n), of_fraction(fraction(law), n)));
         else if constexpr (std::is_same_v<Law, TabulatedSplit>)
-          return of_fraction(fraction(law, size), n);
+          return of_fraction(fraction(law, size), n) + spread;
         else
-          return of_fraction(fraction(law), n);
+          return of_fraction(fraction(law), n) + spread;
       },
       model.law());
-  return std::clamp(values + spread, 1.0, n);
+  return std::clamp(values, 1.0, n);
 }
 
 }  // namespace
@@ -142,7 +164,8 @@ double depth_width(const Model& model, Size n) {
 }
 
 double height_width(const Model& model, Size n) {
-  if (std::holds_alternative<FixedSplit>(model.law())) return 1;
+  const auto& law = model.law();
+  if (std::holds_alternative<FixedSplit>(law) || std::holds_alternative<Complete>(law)) return 1;
   return width(model, n, heights);
 }
 

@@ -68,6 +68,19 @@ void SplitRows::fill(const Catalan&, Size n) {
   for (Size i = 0; i < n; ++i) left_[i] = catalan_[i] * catalan_[n - 1 - i];
 }
 
+void SplitRows::fill(const Aldous& law, Size n) {
+  take(law.window(n, far_below));
+}
+
+void SplitRows::fill(const Complete& law, Size n) {
+  take({law.left(n), {1.0}});
+}
+
+/// One side is as good as the other here.
+void SplitRows::fill(const Chain&, Size) {
+  take({0, {1.0}});
+}
+
 void SplitRows::fill(const TabulatedSplit& law, Size n) {
   take({0, law.pmf(n)});
 }

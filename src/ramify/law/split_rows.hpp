@@ -18,7 +18,8 @@ class SplitRows {
  public:
   explicit SplitRows(const Model& model);
 
-  /// The row of size n >= 1; valid until the next call. O(n); O(sqrt n) for dst, patricia and split.
+  /// The row of size n >= 1; valid until the next call. O(n); O(sqrt n) for dst and
+  /// patricia, O(1) for split, complete and chain.
   SplitRow row(Size n);
 
  private:
@@ -29,6 +30,9 @@ class SplitRows {
   void fill(const Dst& law, Size n);
   void fill(const Patricia& law, Size n);
   void fill(const Catalan&, Size n);
+  void fill(const Aldous& law, Size n);
+  void fill(const Complete& law, Size n);
+  void fill(const Chain&, Size n);
   void fill(const TabulatedSplit& law, Size n);
   void take(WeightWindow window);
   void fold(Size n);

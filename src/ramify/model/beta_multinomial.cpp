@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ramify/core/compensated_sum.hpp"
+#include "ramify/model/beta_binomial.hpp"
 #include "ramify/model/parameter.hpp"
 
 namespace ramify {
@@ -19,16 +19,7 @@ Size BetaMultinomial::mode(Size last) const {
 
 WeightWindow BetaMultinomial::window(Size n, double cutoff) const {
   const Size last = n - 1;
-  const auto up = [this, last](Size k) {
-    const auto left = static_cast<double>(k), right = static_cast<double>(last - k);
-    return right / (right - 1 + b_) * ((left + a_) / (left + 1));  // 1 at a = b = 1
-  };
-  const auto down = [&up](Size k) { return 1 / up(k - 1); };
-  WeightWindow found = weights_outward(mode(last), last, a_ < 1 && b_ < 1 ? 0 : cutoff, down, up);
-  // Plainly summed, thousands of small weights and one heavy end would miss 1 by 1e-14.
-  const double sum = compensated_sum(found.weights);
-  for (double& w : found.weights) w /= sum;
-  return found;
+  return BetaBinomial{last, a_, b_}.window(0, last, mode(last), a_ < 1 && b_ < 1 ? 0 : cutoff);
 }
 
 }  // namespace ramify

@@ -1,6 +1,7 @@
 #include "ramify/model/fixed_split.hpp"
 
 #include "ramify/model/parameter.hpp"
+#include "ramify/model/point_mass.hpp"
 
 namespace ramify {
 
@@ -9,9 +10,7 @@ FixedSplit::FixedSplit(double x) : x_(x) {
 }
 
 std::vector<double> FixedSplit::pmf(Size n) const {
-  std::vector<double> weights(n, 0.0);
-  weights[left(n)] = 1;
-  return weights;
+  return point_mass(n, left(n));
 }
 
 }  // namespace ramify

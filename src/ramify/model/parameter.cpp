@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <string>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -17,10 +18,15 @@ void require_probability(std::string_view model, std::string_view name, double v
               "give a number strictly between 0 and 1, such as 0.23 or 1/4.35");
 }
 
-void require_positive(std::string_view model, std::string_view name, double value) {
-  if (value > 0 && std::isfinite(value)) return;
+void require_above(std::string_view model, std::string_view name, double value, double bound,
+                   std::string_view remedy) {
+  if (value > bound && std::isfinite(value)) return;
   throw Error(fmt::format("{} with {} = {}", model, name, value),
-              fmt::format("{} must be a finite number above 0", name), "give a positive number, such as 10");
+              fmt::format("{} must be a finite number above {}", name, bound), std::string(remedy));
+}
+
+void require_positive(std::string_view model, std::string_view name, double value) {
+  require_above(model, name, value, 0, "give a positive number, such as 10");
 }
 
 double require_distribution(std::string_view model, std::initializer_list<double> probabilities) {

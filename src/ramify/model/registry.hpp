@@ -9,10 +9,13 @@
 #include <variant>
 #include <vector>
 
+#include "ramify/model/aldous.hpp"
 #include "ramify/model/beta.hpp"
 #include "ramify/model/beta_multinomial.hpp"
 #include "ramify/model/bst.hpp"
 #include "ramify/model/catalan.hpp"
+#include "ramify/model/chain.hpp"
+#include "ramify/model/complete.hpp"
 #include "ramify/model/dst.hpp"
 #include "ramify/model/fixed_split.hpp"
 #include "ramify/model/grown_model.hpp"
@@ -22,8 +25,8 @@
 namespace ramify {
 
 /// The split law of any model; std::visit gives the concrete type, so nothing is virtual for each node.
-using AnySplitLaw =
-    std::variant<Bst, Beta, BetaMultinomial, FixedSplit, Dst, Patricia, Catalan, TabulatedSplit>;
+using AnySplitLaw = std::variant<Bst, Beta, BetaMultinomial, FixedSplit, Dst, Patricia, Catalan, Aldous,
+                                 Complete, Chain, TabulatedSplit>;
 
 /// What a model is: a split law, of whose trees ramify knows exact laws, or a tree that is grown whole.
 using AnyModel = std::variant<AnySplitLaw, std::shared_ptr<const GrownModel>>;

@@ -103,6 +103,31 @@ std::uint64_t binomial_variate(Urbg& stream, std::uint64_t trials, const UnitPai
                          trials, std::numeric_limits<double>::epsilon());
 }
 
+/// K ~ Binomial(trials, p) given 1 <= K <= last, by inversion from 1 on, and given = P(1 <= K <= last).
+template <class Urbg>
+std::uint64_t invert_binomial_from_one(Urbg& stream, std::uint64_t trials, const UnitPair& p,
+                                       std::uint64_t last, double given) {
+  const double m = static_cast<double>(trials), odds = p.x / p.complement;
+  const double one = std::exp(m * std::log1p(-p.x)) * m * odds;
+  return invert_binomial(trials, odds, 1, one, uniform_open(stream) * given, last,
+                         std::numeric_limits<double>::epsilon() * given);
+}
+
+/// K ~ Binomial(trials, p) given K >= 1; trials >= 1. At p = 0 and 1 the limits, 1 and trials.
+///
+/// Inversion where K = 0 is likely, so that p = 1e-9 costs no more than p = 1/2; else rejection.
+template <class Urbg>
+std::uint64_t positive_binomial_variate(Urbg& stream, std::uint64_t trials, const UnitPair& p) {
+  RAMIFY_EXPECTS(trials >= 1);
+  const double m = static_cast<double>(trials);
+  if (p.x <= 0.5 && m * p.x <= 8)
+    return invert_binomial_from_one(stream, trials, p, trials, -std::expm1(m * std::log1p(-p.x)));
+  for (;;) {
+    const std::uint64_t k = binomial_variate(stream, trials, p);
+    if (k >= 1) return k;
+  }
+}
+
 /// K ~ Binomial(trials, p) given 1 <= K <= trials-1; trials >= 2, 0 < p < 1: how many of `trials` strings go
 /// left at a branching node of a PATRICIA tree.
 ///
@@ -119,11 +144,8 @@ std::uint64_t inner_binomial_variate(Urbg& stream, std::uint64_t trials, double 
       if (k >= 1 && k < trials) return k;
     }
   }
-  const double odds = p / (1 - p);
-  const double log_none = m * std::log1p(-p);
-  const double total = -std::expm1(log_none) - std::pow(p, m);
-  return invert_binomial(trials, odds, 1, std::exp(log_none) * m * odds, uniform_open(stream) * total,
-                         trials - 1, std::numeric_limits<double>::epsilon() * total);
+  const double inner = -std::expm1(m * std::log1p(-p)) - std::pow(p, m);
+  return invert_binomial_from_one(stream, trials, UnitPair{p, 1 - p}, trials - 1, inner);
 }
 
 }  // namespace ramify

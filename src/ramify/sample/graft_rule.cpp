@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
 
@@ -49,6 +48,14 @@ Size mean_counts_graft(Size n) {
   return std::min<Size>(n < Size{1} << 26 ? 2048 : MeanCounts::largest_grafted, std::bit_floor(n / 256));
 }
 
+/// e where the depths of the model's trees grow like n^e, 0 where they grow like log n.
+double depth_exponent(const Model& model) {
+  if (std::holds_alternative<Catalan>(model.law())) return 0.5;
+  if (std::holds_alternative<Chain>(model.law())) return 1;
+  if (const auto* aldous = std::get_if<Aldous>(&model.law())) return std::max(0.0, -1 - aldous->beta());
+  return 0;
+}
+
 Size single_graft(Size n) {
   return std::bit_floor(static_cast<Size>(8 * std::sqrt(static_cast<double>(n))));
 }
@@ -74,7 +81,7 @@ GraftRule::GraftRule(const Model& model, SamplingMethod method)
     : model_(model),
       method_(method),
       largest_(method.graft && model.is_split() ? largest_table(model, method.pass) : 0),
-      square_root_(model.is_split() && std::holds_alternative<Catalan>(model.law())) {}
+      depth_exponent_(model.is_split() ? depth_exponent(model) : 0) {}
 
 Size GraftRule::size(Size n) const {
   if (n < smallest_grafted) return 0;
@@ -84,10 +91,10 @@ Size GraftRule::size(Size n) const {
 double GraftRule::grown_nodes(Size n) const {
   if (!model_.is_split()) return model_.grown().expected_nodes(n);
   const double nodes = static_cast<double>(n);
-  if (is_walk(method_.pass)) return square_root_ ? std::sqrt(nodes) : std::log2(nodes + 2);
+  if (is_walk(method_.pass)) return std::max(std::pow(nodes, depth_exponent_), std::log2(nodes + 2));
   const double grafted = static_cast<double>(size(n));
   if (grafted == 0) return nodes;
-  return square_root_ ? nodes / std::sqrt(std::numbers::pi * grafted) : 2 * nodes / grafted;
+  return nodes / std::pow(grafted / 2, 1 - depth_exponent_);
 }
 
 std::string GraftRule::describe(Size n) const {

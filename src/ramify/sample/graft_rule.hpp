@@ -23,8 +23,9 @@ class GraftRule {
   /// grown.
   Size size(Size n) const;
 
-  /// About as many nodes as are grown for a tree of size n: n, or n over half the graft size; for catalan n
-  /// over the root of pi times it; for the walk its length.
+  /// About as many nodes as are grown for a tree of size n: n, or n over half the graft size to the power
+  /// 1-e, where depths grow like n^e (catalan: 1/2, chain: 1, aldous: -1-beta or 0, else 0); for the walk its
+  /// length.
   double grown_nodes(Size n) const;
 
   /// "every node is grown", "strahler of subtrees up to n = 16384 drawn from the exact law".
@@ -33,8 +34,8 @@ class GraftRule {
  private:
   Model model_;
   SamplingMethod method_;
-  Size largest_;      // of a table
-  bool square_root_;  // the model's depths grow like sqrt(n)
+  Size largest_;  // of a table
+  double depth_exponent_;
 };
 
 }  // namespace ramify

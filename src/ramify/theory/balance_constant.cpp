@@ -2,6 +2,7 @@
 
 #include "ramify/theory/beta_balance.hpp"
 #include "ramify/theory/binary_split.hpp"
+#include "ramify/theory/complete_constant.hpp"
 #include "ramify/theory/make_constant.hpp"
 
 namespace ramify {
@@ -14,6 +15,7 @@ std::optional<Constant> balance_constant(const Model& model) {
     return make_constant("balance", beta_balance(*beta),
                          "min over t > 1 of t/theta, e^theta E[min(X,1-X)^t] + E[max(X,1-X)^t] = 1",
                          "Biggins 1978, docs/theory/balance.md");
+  if (std::holds_alternative<Complete>(model.law())) return complete_constant("balance");
   if (std::holds_alternative<Dst>(model.law())) return std::nullopt;
   const auto binary = BinarySplit::of(model);
   if (!binary) return std::nullopt;

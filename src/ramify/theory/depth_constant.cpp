@@ -4,6 +4,7 @@
 
 #include "ramify/theory/beta_split.hpp"
 #include "ramify/theory/binary_split.hpp"
+#include "ramify/theory/complete_constant.hpp"
 #include "ramify/theory/make_constant.hpp"
 
 namespace ramify {
@@ -29,6 +30,7 @@ std::optional<Constant> of_binary(const BinarySplit& split) {
 
 std::optional<Constant> depth_constant(const Model& model) {
   if (std::holds_alternative<Bst>(model.law())) return Constant{"depth", 2, 0, "2", "Devroye 1998; C6"};
+  if (std::holds_alternative<Complete>(model.law())) return complete_constant("depth");
   if (const auto beta = BetaSplit::of(model)) return of_beta(*beta);
   if (const auto binary = BinarySplit::of(model)) return of_binary(*binary);
   return std::nullopt;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ramify/theory/binary_split.hpp"
+#include "ramify/theory/complete_constant.hpp"
 #include "ramify/theory/log_moment.hpp"
 #include "ramify/theory/make_constant.hpp"
 
@@ -32,6 +33,7 @@ std::optional<Constant> of_binary(const BinarySplit& split, const char* source) 
 }  // namespace
 
 std::optional<Constant> fill_level_constant(const Model& model) {
+  if (std::holds_alternative<Complete>(model.law())) return complete_constant("fill_level");
   if (const auto beta = BetaSplit::of(model)) return of_beta(*beta);
   if (std::holds_alternative<Dst>(model.law())) return std::nullopt;
   const bool fixed = std::holds_alternative<FixedSplit>(model.law());

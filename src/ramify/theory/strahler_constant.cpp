@@ -5,6 +5,7 @@
 
 #include "ramify/theory/beta_split.hpp"
 #include "ramify/theory/binary_split.hpp"
+#include "ramify/theory/complete_constant.hpp"
 #include "ramify/theory/horton_ratio_constant.hpp"
 #include "ramify/theory/make_constant.hpp"
 
@@ -26,7 +27,9 @@ std::optional<Constant> strahler_constant(const Model& model, const std::optiona
   if (std::holds_alternative<Catalan>(model.law()))
     return make_constant("strahler", round_to_double(1 / log(Precise(4)), 1), "1/log 4",
                          "Flajolet, Raoult, Vuillemin 1979; C22");
-  if (BetaSplit::of(model)) return horton_ratio ? std::optional(from_ratio(*horton_ratio)) : std::nullopt;
+  if (std::holds_alternative<Complete>(model.law())) return complete_constant("strahler");
+  if (BetaSplit::of(model) || std::holds_alternative<Aldous>(model.law()))
+    return horton_ratio ? std::optional(from_ratio(*horton_ratio)) : std::nullopt;
   if (std::holds_alternative<Dst>(model.law())) return std::nullopt;
   const auto binary = BinarySplit::of(model);
   if (!binary) return std::nullopt;

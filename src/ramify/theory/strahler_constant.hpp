@@ -9,9 +9,9 @@ namespace ramify {
 
 /// lim S_n / log n, S_n the Horton-Strahler number: 1/log R, R the Horton ratio of streams.
 ///
-/// catalan: 1/log 4 (C22). split and patricia: 1/log(1/min(p,1-p)) (C10, C11, C17). bst and beta trees: from
-/// horton_ratio_constant, bst 0.898379055055633 and not the 1/log 3 of Kruszewski 1996 (C20). Nothing for
-/// dst.
+/// catalan: 1/log 4 (C22). split and patricia: 1/log(1/min(p,1-p)) (C10, C11, C17). bst, beta trees and
+/// aldous: from horton_ratio_constant, bst 0.898379055055633 and not the 1/log 3 of Kruszewski 1996 (C20).
+/// Nothing for dst.
 std::optional<Constant> strahler_constant(const Model& model);
 
 /// The same for a caller that has computed the Horton ratio of the model already.
