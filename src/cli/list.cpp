@@ -54,6 +54,20 @@ std::string statistic_table() {
   return table.text();
 }
 
+/// Statistic by model: what is known of it without sampling and how it is sampled.
+std::string coverage_table() {
+  std::vector<std::string> header{"statistic"};
+  for (const auto& model : models()) header.emplace_back(model.name);
+  CsvTable table(std::move(header));
+  for (const auto& statistic : statistics()) {
+    std::vector<std::string> row{std::string(statistic.name)};
+    for (const auto& model : models())
+      row.push_back(model.is_split ? sampling_of(statistic) : "every node grown");
+    table.add(std::move(row));
+  }
+  return table.text();
+}
+
 std::string claim_table() {
   CsvTable table({"claim", "statement", "source"});
   for (const auto& claim : claims())
@@ -65,8 +79,10 @@ std::string table_of(const std::string& what) {
   if (what == "models") return model_table();
   if (what == "statistics") return statistic_table();
   if (what == "claims") return claim_table();
+  if (what == "coverage") return coverage_table();
   throw Error("cannot list '" + what + "'", "there is no such list",
-              did_you_mean(what, {"models", "statistics", "claims"}) + "list models, statistics or claims");
+              did_you_mean(what, {"models", "statistics", "claims", "coverage"}) +
+                  "list models, statistics, claims or coverage");
 }
 
 }  // namespace
@@ -77,8 +93,8 @@ void add_list(CLI::App& app, Session& session) {
   };
   auto options = std::make_shared<Options>();
   auto* verb =
-      app.add_subcommand("list", "List the models, statistics or claims with their conventions and sources");
-  verb->add_option("what", options->what, "models, statistics or claims")->required();
+      app.add_subcommand("list", "List the models, statistics, claims, or what is known of which statistic for which model");
+  verb->add_option("what", options->what, "models, statistics, claims or coverage")->required();
   verb->add_option("-o,--output", options->output, "write the table to this file");
   verb->footer("Example: ramify list models");
   verb->callback([&session, options] {

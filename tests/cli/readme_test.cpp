@@ -47,6 +47,15 @@ TEST(Readme, TheVerdictTableIsTheReferenceRun) {
   EXPECT_NE(readme.find("<!-- verdicts -->\n```\n" + table + "```\n"), std::string::npos);
 }
 
+TEST(Pages, TheCoverageTableIsTheProgramsOwn) {
+  const std::string page = read_file(std::string(RAMIFY_SOURCE) + "/docs/coverage.md");
+  const Ran ran = ramify("list coverage");
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  ASSERT_GT(count_lines(ran.out), 20u);
+  EXPECT_NE(page.find("```\n" + ran.out + "```\n"), std::string::npos)
+      << "put what `ramify list coverage` prints into docs/coverage.md";
+}
+
 TEST(Readme, TheScriptsItNamesAreThere) {
   for (const char* script : {"scripts/reproduce", "scripts/test", "scripts/setup"})
     EXPECT_EQ(shell(std::string("test -x ") + script).code, 0) << script;

@@ -183,11 +183,10 @@ std::uint64_t colless(const Shape& shape) {
 
 std::uint64_t cherries(const Shape& shape) {
   std::uint64_t count = 0;
+  const auto ends = [](const Shape& child) { return external_nodes(child) == 1; };
   visit(shape, [&](const Shape& node) {
     const auto& children = node.children;
-    if (children.size() >= 2 &&
-        std::all_of(children.begin(), children.end(), [](const Shape& c) { return c.is_external(); }))
-      ++count;
+    if (children.size() >= 2 && std::all_of(children.begin(), children.end(), ends)) ++count;
   });
   return count;
 }

@@ -61,7 +61,7 @@ std::uint64_t sackin(const Shape& shape);
 /// Sum over the nodes with two children of the difference of their numbers of external nodes.
 std::uint64_t colless(const Shape& shape);
 
-/// Nodes with two children or more, all of them external.
+/// Nodes with two children or more, all of them external once one-child nodes are contracted.
 std::uint64_t cherries(const Shape& shape);
 
 /// The fewest registers with which the tree can be evaluated as an expression (B21): every order of

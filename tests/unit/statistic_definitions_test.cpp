@@ -139,6 +139,22 @@ TEST(EveryStatistic, IsItsDefinitionOnWiderTrees) {
     expect_definitions(test::read_shape(word));
 }
 
+TEST(EveryStatistic, IsItsDefinitionOnTreesWithOneChildNodes) {
+  for (const char* word :
+       {"(E)", "((E))", "((EE))", "((E)E)", "((E)(EE))", "(((E)E))", "((((E)(E))((EE)))E)", "((E)(E)((EE)))"})
+    expect_definitions(test::read_shape(word));
+}
+
+// The trie of A12: its balance number is 2, its fill level 1 (the thesis says 2; X32), its alternate balance
+// number 3 (X33).
+TEST(EveryStatistic, OfTheTrieOfTheThesis) {
+  const Values values = measured(test::read_shape("((((EE)))((EE)E))"));
+  EXPECT_EQ(values.at("balance"), 2);
+  EXPECT_EQ(values.at("alternate_balance"), 3);
+  EXPECT_EQ(values.at("size"), 6);
+  EXPECT_EQ(values.at("magnitude"), 5);
+}
+
 TEST(EveryStatistic, IsItsDefinitionOnChainsAndCompleteTrees) {
   for (const std::size_t n : {1u, 2u, 30u}) expect_definitions(test::right_chain(n));
   for (std::size_t levels = 0; levels <= 5; ++levels) expect_definitions(test::complete_shape(levels));

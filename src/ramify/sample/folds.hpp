@@ -29,8 +29,12 @@ using LeanFold = Joint<Height, HortonStrahler>;
 template <class Walk>
 using FullFoldOf = Joint<LastNodeDepthOf<Walk>, Height, HortonStrahler, FillLevel, Balance>;
 using FullFold = FullFoldOf<RandomWalk>;
-using AllFold =
-    Joint<ExternalDepth, ShapeIndices, LastNodeDepth, Height, LevelProfile, BiOrders, FillLevel, Balance>;
+template <class BalanceFold>
+using AllFoldOf =
+    Joint<ExternalDepth, ShapeIndices, LastNodeDepth, Height, LevelProfile, BiOrders, FillLevel, BalanceFold>;
+using AllFold = AllFoldOf<Balance>;
+/// Of a stored tree of any arity.
+using MeasuredFold = AllFoldOf<BalanceByLeaves>;
 
 /// False for a fold of which whole trees have too many outcomes to be tabulated.
 template <class F>
@@ -48,18 +52,25 @@ F make_fold(Walk walk) {
   }
 }
 
+template <class BalanceFold>
+AllFoldOf<BalanceFold> make_all(StreamKey key, std::uint64_t replicate, BalanceFold balance) {
+  const RandomWalk walk(Stream(key, replicate, Lane::walk));
+  const RandomWalk to_external(Stream(key, replicate, Lane::external_walk));
+  return AllFoldOf<BalanceFold>(ExternalDepth(to_external), ShapeIndices(), LastNodeDepth(walk), Height(),
+                                LevelProfile(), BiOrders(), FillLevel(), balance);
+}
+
 /// The fold of the tree (key, replicate), with walks of their own streams.
 template <class F>
 F make_fold(StreamKey key, std::uint64_t replicate) {
-  const RandomWalk walk(Stream(key, replicate, Lane::walk));
   if constexpr (std::is_same_v<F, Stacked<AllFold>>) {
     return F(make_fold<AllFold>(key, replicate));
   } else if constexpr (std::is_same_v<F, AllFold>) {
-    const RandomWalk to_external(Stream(key, replicate, Lane::external_walk));
-    return F(ExternalDepth(to_external), ShapeIndices(), LastNodeDepth(walk), Height(), LevelProfile(),
-             BiOrders(), FillLevel(), Balance());
+    return make_all(key, replicate, Balance());
+  } else if constexpr (std::is_same_v<F, MeasuredFold>) {
+    return make_all(key, replicate, BalanceByLeaves());
   } else {
-    return make_fold<F>(walk);
+    return make_fold<F>(RandomWalk(Stream(key, replicate, Lane::walk)));
   }
 }
 
@@ -74,6 +85,9 @@ inline void record(const FillLevel&, FillLevel::Value root, TreeMeasures& measur
 }
 inline void record(const Balance&, Balance::Value root, TreeMeasures& measures) {
   measures.balance = root;
+}
+inline void record(const BalanceByLeaves&, BalanceByLeaves::Value root, TreeMeasures& measures) {
+  measures.balance = root.balance;
 }
 inline void record(const ExternalDepth&, ExternalDepth::Value root, TreeMeasures& measures) {
   measures.external_depth = root.depth;
@@ -97,7 +111,9 @@ void record(const Orders& orders, HortonStrahler::Value root, TreeMeasures& meas
   measures.strahler = root;
   measures.nodes = orders.nodes();
   measures.streams = orders.streams();
-  measures.size = std::accumulate(measures.nodes.begin() + 1, measures.nodes.end(), Size{0});
+  // Every node is counted once, and the external ones are the streams of order 0.
+  measures.size =
+      std::accumulate(measures.nodes.begin(), measures.nodes.end(), Size{0}) - measures.streams[0];
   if constexpr (std::same_as<Orders, BiOrders>) measures.bi_orders = orders.counts();
 }
 template <class... Folds>

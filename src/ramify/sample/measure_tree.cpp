@@ -6,7 +6,7 @@
 namespace ramify {
 
 TreeMeasures measure_tree(const Tree& tree, StreamKey key, std::uint64_t replicate) {
-  auto fold = make_fold<AllFold>(key, replicate);
+  auto fold = make_fold<MeasuredFold>(key, replicate);
   TreeMeasures measures;
   record(fold, measure(tree, fold), measures);
   return measures;

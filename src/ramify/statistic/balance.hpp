@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
+#include <vector>
+
+#include "ramify/tree/grammar.hpp"
 
 namespace ramify {
 
@@ -26,6 +30,30 @@ class Balance {
       best = std::max(best, static_cast<Value>(balances[i] + (counts ? 1 : 0)));
     }
     return best;
+  }
+};
+
+/// The same of a tree that may have one-child nodes or three children: sizes are numbers of external nodes,
+/// as in a trie (B15). In a strict binary tree internal nodes compare alike, and labels say how many there
+/// are.
+class BalanceByLeaves {
+ public:
+  struct Value {
+    Size leaves;
+    std::uint8_t balance;
+  };
+
+  Value external() const { return {1, 0}; }
+
+  template <class Label, class Labels, class Values>
+  Value join(const Label& label, const Labels&, const Values& below) const {
+    std::vector<Size> leaves;
+    std::vector<std::uint8_t> balances;
+    for (const Value& child : below) {
+      leaves.push_back(child.leaves);
+      balances.push_back(child.balance);
+    }
+    return {std::accumulate(leaves.begin(), leaves.end(), Size{0}), Balance().join(label, leaves, balances)};
   }
 };
 

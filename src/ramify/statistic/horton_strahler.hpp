@@ -70,7 +70,7 @@ class HortonStrahler {
   /// Nodes of order k.
   Counts nodes() const {
     Counts nodes{};
-    nodes[0] = externals_;
+    nodes[0] = externals_ + counts_[kept];  // one-child nodes above a single external one
     for (std::size_t k = 1; k < orders; ++k) nodes[k] = count<kept>(k) + count<begun>(k);
     return nodes;
   }

@@ -141,7 +141,7 @@ const std::vector<StatisticInfo>& statistics() {
       whole_number("colless", "external nodes, nodes with two children",
                    "sum of the differences of left and right (Colless 1982)", "B23", Measure::shape,
                    number<&M::colless>),
-      whole_number("cherries", "nodes all of whose children, two or more, are external",
+      whole_number("cherries", "two or more external nodes below one, one-child nodes contracted",
                    "streams of order 1, leaf order 0", "B8", Measure::counts, cherries),
       whole_number("width", "external nodes counted", "nodes of the fullest level", "B23", Measure::profile,
                    number<&M::width>),

@@ -12,12 +12,13 @@ namespace ramify {
 
 /// Folds a stored tree of any arity; labels are sizes (internal nodes of the subtree).
 ///
-/// @param tree  at least one node
+/// @param tree   at least one node
+/// @param visit  called with every node's position and value, children before their parent
 /// Reads the word backwards, which is a postorder with siblings last to first; a fold that draws at random
 /// therefore takes other draws than a growing tree does, from the same law. O(nodes) time, O(height + arity)
 /// memory.
-template <class F>
-typename F::Value measure(const Tree& tree, F& fold) {
+template <class F, class Visit>
+typename F::Value measure(const Tree& tree, F& fold, Visit visit) {
   RAMIFY_EXPECTS(tree.node_count() > 0);
   using Value = typename F::Value;
   std::vector<Size> sizes;
@@ -27,6 +28,7 @@ typename F::Value measure(const Tree& tree, F& fold) {
     if (children == 0) {
       sizes.push_back(0);
       values.push_back(fold.external());
+      visit(node, values.back());
       continue;
     }
     // The stack holds the leftmost child on top: turn the top run round to hand the children over left to
@@ -42,8 +44,14 @@ typename F::Value measure(const Tree& tree, F& fold) {
     values.resize(static_cast<std::size_t>(first));
     sizes.push_back(size);
     values.push_back(value);
+    visit(node, value);
   }
   return values.back();
+}
+
+template <class F>
+typename F::Value measure(const Tree& tree, F& fold) {
+  return measure(tree, fold, [](std::size_t, const typename F::Value&) {});
 }
 
 }  // namespace ramify
