@@ -130,10 +130,12 @@ std::size_t fill_level(const Shape& shape) {
   return level;
 }
 
-std::size_t level_of_first_leaf(const Shape& shape) {
-  std::vector<std::size_t> depths;
-  walk_to_leaves(shape, 1, depths);
-  return *std::min_element(depths.begin(), depths.end()) - 1;
+std::size_t level_of_first_gap(const Shape& shape) {
+  std::size_t least = height(shape);
+  walk_to_nodes(shape, 0, [&](const Shape& node, std::uint64_t level) {
+    if (node.children.size() < 2) least = std::min<std::size_t>(least, level);
+  });
+  return least;
 }
 
 std::size_t balance(const Shape& shape) {

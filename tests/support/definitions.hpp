@@ -39,8 +39,8 @@ std::vector<std::uint64_t> nodes_per_level(const Shape& shape);
 /// The deepest level l such that levels 0..l have all their 2^l nodes (B18); strict binary trees.
 std::size_t fill_level(const Shape& shape);
 
-/// The level of the highest external node, which is the fill level of trees of any arity.
-std::size_t level_of_first_leaf(const Shape& shape);
+/// The level of the highest node with fewer than two children, which is the fill level of trees of any arity.
+std::size_t level_of_first_gap(const Shape& shape);
 
 /// Maximum over root-to-leaf paths of the edges to a child no larger than any of its siblings (B16).
 std::size_t balance(const Shape& shape);

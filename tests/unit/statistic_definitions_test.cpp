@@ -102,7 +102,7 @@ Values defined(const test::Shape& shape) {
                 {"colless", real(test::colless(shape))},
                 {"cherries", real(test::cherries(shape))},
                 {"width", real(*std::max_element(levels.begin(), levels.end()))},
-                {"fill_level", real(test::level_of_first_leaf(shape))},
+                {"fill_level", real(test::level_of_first_gap(shape))},
                 {"balance", real(test::balance(shape))},
                 {"alternate_balance", real(test::balance(shape) + 1)}};
   define_orders(shape, values);
@@ -150,6 +150,7 @@ TEST(EveryStatistic, IsItsDefinitionOnTreesWithOneChildNodes) {
 TEST(EveryStatistic, OfTheTrieOfTheThesis) {
   const Values values = measured(test::read_shape("((((EE)))((EE)E))"));
   EXPECT_EQ(values.at("balance"), 2);
+  EXPECT_EQ(values.at("fill_level"), 1);
   EXPECT_EQ(values.at("alternate_balance"), 3);
   EXPECT_EQ(values.at("size"), 6);
   EXPECT_EQ(values.at("magnitude"), 5);

@@ -37,7 +37,7 @@ void expect_definitions(const test::Shape& shape) {
   EXPECT_EQ(get<0>(root), test::height(shape));
   const std::size_t order = get<1>(root);
   EXPECT_EQ(order, test::strahler(shape));
-  EXPECT_EQ(get<2>(root), test::level_of_first_leaf(shape));
+  EXPECT_EQ(get<2>(root), test::level_of_first_gap(shape));
   EXPECT_EQ(get<3>(root), test::balance(shape));
   const auto& orders = fold.get<HortonStrahler>();
   EXPECT_EQ(trimmed(orders.nodes(), order), test::nodes_per_order(shape));
@@ -56,7 +56,7 @@ TEST(Folds, AreTheDefinitionsOnEveryTreeToEightNodes) {
     for (const auto& shape : shapes) {
       expect_definitions(shape);
       EXPECT_EQ(test::strahler(shape), test::strahler_by_pruning(shape));
-      EXPECT_EQ(test::level_of_first_leaf(shape), test::fill_level(shape));
+      EXPECT_EQ(test::level_of_first_gap(shape), test::fill_level(shape));
     }
   }
 }
