@@ -92,8 +92,8 @@ void add_list(CLI::App& app, Session& session) {
     std::string what, output;
   };
   auto options = std::make_shared<Options>();
-  auto* verb =
-      app.add_subcommand("list", "List the models, statistics, claims, or what is known of which statistic for which model");
+  auto* verb = app.add_subcommand(
+      "list", "List the models, statistics, claims, or what is known of which statistic for which model");
   verb->add_option("what", options->what, "models, statistics, claims or coverage")->required();
   verb->add_option("-o,--output", options->output, "write the table to this file");
   verb->footer("Example: ramify list models");
