@@ -3,10 +3,12 @@
 
 #include "claim.hpp"
 #include "session.hpp"
+#include <fmt/format.h>
 
 #include "ramify/core/nearest_name.hpp"
-#include "ramify/experiment/law_request.hpp"
 #include "ramify/io/csv_writer.hpp"
+#include "ramify/law/exact_means.hpp"
+#include "ramify/model/preset.hpp"
 #include "ramify/model/registry.hpp"
 #include "ramify/sample/sampling_method.hpp"
 #include "ramify/statistic/registry.hpp"
@@ -23,46 +25,71 @@ std::string model_table() {
   return table.text();
 }
 
-/// What is known without sampling, and how large trees are sampled.
+/// What is known without sampling of a statistic of a split model: they are all alike, so one is asked.
+std::string known_of(const StatisticInfo& info) {
+  static const ExactMeans exact(Model::parse("bst"), 7);
+  const std::array<std::string, 1> alone{std::string(info.name)};
+  const std::string column = StatisticSet::parse(alone).columns(1).back().name;
+  if (exact.law(column, 7)) return "exact law";
+  const auto moments = exact.moments(column, 7);
+  if (!moments) return "";
+  return moments->variance == 0 ? "known" : "exact moments";
+}
+
+/// How trees of split models are sampled for a statistic alone.
 std::string sampling_of(const StatisticInfo& info) {
-  if (info.measure == Measure::size) return "known";
-  const auto is_in = [&info](const auto& names) {
-    return std::find(names.begin(), names.end(), info.name) != names.end();
-  };
-  const bool has_moments = is_in(moment_statistics()) || info.shape == Columns::orders;
-  const std::string known = is_in(law_statistics()) ? "exact law; " : has_moments ? "exact moments; " : "";
   const std::array<std::string, 1> alone{std::string(info.name)};
   switch (sampling_method(StatisticSet::parse(alone), true).pass) {
     case Pass::lean:
     case Pass::full:
-      return known + "grafted with others";
+      return "grafted with others";
     case Pass::all:
-      return known + "every node grown";
+      return "streamed";
     case Pass::depth:
     case Pass::external_depth:
-      return known + "walked alone, grafted with others";
+      return "walked, grafted with others";
     default:
-      return known + "grafted alone or with others";
+      return "grafted";
   }
 }
 
 std::string statistic_table() {
-  CsvTable table({"name", "columns", "convention", "description", "sampled", "source"});
+  CsvTable table({"name", "columns", "convention", "description", "known", "sampled", "source"});
   for (const auto& info : statistics())
     table.add({std::string(info.name), info.columns(), std::string(info.convention),
-               std::string(info.description), sampling_of(info), std::string(info.source)});
+               std::string(info.description), known_of(info), sampling_of(info), std::string(info.source)});
   return table.text();
 }
 
-/// Statistic by model: what is known of it without sampling and how it is sampled.
+/// What is known of a statistic of a model without sampling, and how it is sampled.
+std::string coverage_of(const StatisticInfo& statistic, const ModelInfo& model) {
+  if (statistic.needs_binary && !model.is_binary) return "not defined";
+  if (!model.is_split) return "streamed";
+  const std::string known = known_of(statistic);
+  if (known == "known") return known;
+  const std::string sampled = sampling_of(statistic) == "streamed" ? "streamed" : "grafted";
+  return known.empty() ? sampled : known + " + " + sampled;
+}
+
+/// Statistic by model; models of which all is the same share a column.
 std::string coverage_table() {
+  std::vector<std::vector<std::string>> columns;
   std::vector<std::string> header{"statistic"};
-  for (const auto& model : models()) header.emplace_back(model.name);
+  for (const auto& model : models()) {
+    std::vector<std::string> column;
+    for (const auto& statistic : statistics()) column.push_back(coverage_of(statistic, model));
+    const auto same = std::find(columns.begin(), columns.end(), column);
+    if (same == columns.end()) {
+      columns.push_back(std::move(column));
+      header.emplace_back(model.name);
+    } else {
+      header[static_cast<std::size_t>(same - columns.begin()) + 1].append(" ").append(model.name);
+    }
+  }
   CsvTable table(std::move(header));
-  for (const auto& statistic : statistics()) {
-    std::vector<std::string> row{std::string(statistic.name)};
-    for (const auto& model : models())
-      row.push_back(model.is_split ? sampling_of(statistic) : "every node grown");
+  for (std::size_t i = 0; i < statistics().size(); ++i) {
+    std::vector<std::string> row{std::string(statistics()[i].name)};
+    for (const auto& column : columns) row.push_back(column[i]);
     table.add(std::move(row));
   }
   return table.text();
@@ -75,14 +102,23 @@ std::string claim_table() {
   return table.text();
 }
 
+std::string preset_table() {
+  CsvTable table({"name", "model", "n", "description", "source"});
+  for (const auto& preset : presets())
+    table.add({std::string(preset.name), std::string(preset.model), fmt::format("{}", preset.n),
+               std::string(preset.description), std::string(preset.source)});
+  return table.text();
+}
+
 std::string table_of(const std::string& what) {
   if (what == "models") return model_table();
   if (what == "statistics") return statistic_table();
   if (what == "claims") return claim_table();
+  if (what == "presets") return preset_table();
   if (what == "coverage") return coverage_table();
   throw Error("cannot list '" + what + "'", "there is no such list",
-              did_you_mean(what, {"models", "statistics", "claims", "coverage"}) +
-                  "list models, statistics, claims or coverage");
+              did_you_mean(what, {"models", "statistics", "claims", "presets", "coverage"}) +
+                  "list models, statistics, claims, presets or coverage");
 }
 
 }  // namespace
@@ -93,8 +129,9 @@ void add_list(CLI::App& app, Session& session) {
   };
   auto options = std::make_shared<Options>();
   auto* verb = app.add_subcommand(
-      "list", "List the models, statistics, claims, or what is known of which statistic for which model");
-  verb->add_option("what", options->what, "models, statistics, claims or coverage")->required();
+      "list",
+      "List the models, statistics, claims, presets, or what is known of which statistic for which model");
+  verb->add_option("what", options->what, "models, statistics, claims, presets or coverage")->required();
   verb->add_option("-o,--output", options->output, "write the table to this file");
   verb->footer("Example: ramify list models");
   verb->callback([&session, options] {

@@ -61,6 +61,7 @@ int run_program(int argc, char** argv) {
   cli::add_sample(app, session);
   cli::add_law(app, session);
   cli::add_test(app, session);
+  cli::add_trie(app, session);
   cli::add_theory(app, session);
   cli::add_run(app, session);
   cli::add_reproduce(app, session);

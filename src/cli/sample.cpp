@@ -11,14 +11,15 @@
 #include "ramify/experiment/tree_batch.hpp"
 #include "ramify/io/csv_writer.hpp"
 #include "ramify/io/read_count.hpp"
+#include "ramify/model/preset.hpp"
 #include "ramify/sample/graft_rule.hpp"
 
 namespace ramify::cli {
 namespace {
 
 struct Options {
-  std::string model, n, seed = "1996", replicates = "1", replicate, statistics = "strahler,height",
-                        format = "csv", threads, output;
+  std::string preset, model, n, seed = "1996", replicates = "1", replicate, statistics = "strahler,height",
+                                format = "csv", threads, output;
   bool no_graft = false, yes = false;
 };
 
@@ -37,9 +38,28 @@ Range read_range(const Options& options) {
   return {0, count};
 }
 
+struct SizedModel {
+  Model model;
+  Size n;
+};
+
+/// Of --preset, whose size --n may replace, or of --model and --n.
+SizedModel read_model(const Options& options) {
+  if (options.preset.empty()) {
+    if (options.model.empty() || options.n.empty())
+      throw Error("neither --preset nor --model and --n", "sample must know what to grow",
+                  "write, say, --model bst --n 100; see: ramify list models, ramify list presets");
+    return {Model::parse(options.model), read_count("--n", options.n)};
+  }
+  const Preset& preset = find_preset(options.preset);
+  if (!options.model.empty())
+    throw Error(fmt::format("--preset {} and --model {}", options.preset, options.model),
+                "a preset has a model of its own", "leave one of them out");
+  return {Model::parse(preset.model), options.n.empty() ? preset.n : read_count("--n", options.n)};
+}
+
 ExitCode sample(const Options& options, const Cancellation& cancellation) {
-  const Model model = Model::parse(options.model);
-  const Size n = read_count("--n", options.n);
+  const auto [model, n] = read_model(options);
   model.require_size(n);
   const Range range = read_range(options);
   const TreeBatch batch{model, n, read_count("--seed", options.seed), read_threads(options.threads),
@@ -67,9 +87,10 @@ void add_sample(CLI::App& app, Session& session) {
   auto* verb =
       app.add_subcommand("sample", "Grow trees of one model and print their statistics, or the trees");
   verb->add_option("--model", options->model,
-                   "model, such as bst or \"beta(10,80)\"; see: ramify list models")
-      ->required();
-  verb->add_option("--n", options->n, "size: internal nodes, 0 to 2^62")->required();
+                   "model, such as bst or \"beta(10,80)\"; see: ramify list models");
+  verb->add_option("--n", options->n, "size: internal nodes, 0 to 2^62");
+  verb->add_option("--preset", options->preset,
+                   "model and size of a figure; --n takes another size. See: ramify list presets");
   verb->add_option("--replicates", options->replicates, "number of trees")->capture_default_str();
   verb->add_option("--replicate", options->replicate, "replay this one alone (counted from 0)");
   verb->add_option("--seed", options->seed, "seed")->capture_default_str();

@@ -51,13 +51,15 @@ ExitCode test(const Options& options, const Cancellation& cancellation) {
     throw Error(fmt::format("--replicates {}", simulation.trees),
                 "the smallest p-value is 2/(replicates + 1): with fewer than 99 trees above 0.02",
                 "take 99 or more");
-  CsvTable table(
-      {"tree", "model", "statistic", "observed", "expected", "p_value", "effect", "adjusted_p", "method"});
+  CsvTable table({"tree", "model", "statistic", "observed", "expected", "p_value", "effect", "adjusted_p",
+                  "standard_error", "method"});
+  TreeComparison compare(model, simulation, cancellation);
   for (const auto& file : options.files)
     for (const auto& [name, tree] : read_trees(file))
-      for (const auto& row : compare_tree(tree, model, simulation, name, cancellation))
+      for (const auto& row : compare(tree, name))
         table.add({name, model.text(), row.name, format_summary(row.observed), format_summary(row.expected),
                    format_summary(row.p_value), format_summary(row.effect()), format_summary(row.adjusted_p),
+                   format_summary(row.deviation),
                    row.exact ? "exact law" : fmt::format("{} trees", simulation.trees)});
   emit(table.text(), options.output);
   return ExitCode::done;

@@ -1,15 +1,15 @@
 // Models that are grown whole: every tree of a small size as often as its definition says, and known means at
 // larger ones.
 #include <cmath>
-#include <functional>
-#include <map>
 #include <string>
 #include <vector>
 
-#include "support/definitions.hpp"
 #include "support/goodness.hpp"
+#include "support/reference_laws.hpp"
 #include "support/seed.hpp"
 #include "support/shape.hpp"
+#include "support/shape_counts.hpp"
+#include "support/word_law.hpp"
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -21,58 +21,17 @@
 namespace ramify {
 namespace {
 
+using test::add_node;
+using test::side_by_side;
+using test::WordLaw;
+using test::words_against;
+
 const Cancellation never;
-
-/// The probability of every tree, by its word.
-using WordLaw = std::map<std::string, double>;
-
-/// All ways to put one tree of each law side by side.
-WordLaw side_by_side(const std::vector<WordLaw>& laws) {
-  WordLaw joined{{"", 1.0}};
-  for (const WordLaw& law : laws) {
-    WordLaw longer;
-    for (const auto& [left, p] : joined)
-      for (const auto& [right, q] : law) longer[left + right] += p * q;
-    joined = std::move(longer);
-  }
-  return joined;
-}
-
-/// Adds, with a weight, a node above.
-void add_node(const WordLaw& below, double weight, WordLaw& law) {
-  for (const auto& [word, p] : below)
-    if (weight > 0) law[word.empty() ? "E" : "(" + word + ")"] += weight * p;
-}
 
 double binomial(unsigned n, unsigned k, double p) {
   return std::exp(std::lgamma(n + 1.0) - std::lgamma(k + 1.0) - std::lgamma(n - k + 1.0) + k * std::log(p) +
                   (n - k) * std::log(1 - p));
 }
-
-test::Goodness words_against(const std::string& text, Size n, const WordLaw& law, const std::string& what) {
-  const Model model = Model::parse(text);
-  std::map<std::string, std::uint64_t> seen;
-  for (std::uint64_t replicate = 0; replicate < 60'000; ++replicate) {
-    Stream stream({test::seed_of("grown words"), model.stream_cell(n)}, replicate);
-    ++seen[to_parentheses(model.grown().grow(n, stream, never))];
-  }
-  std::vector<std::uint64_t> counts;
-  std::vector<double> probabilities;
-  for (const auto& [word, p] : law) {
-    counts.push_back(seen[word]);
-    probabilities.push_back(p);
-    seen.erase(word);
-  }
-  for (const auto& [word, count] : seen) {
-    counts.push_back(count);
-    probabilities.push_back(0);
-  }
-  return test::chi_square(fmt::format("{} n = {}, {} trees{}", text, n, law.size(), what), counts,
-                          probabilities);
-}
-
-/// A law of one size from those of smaller ones, by the definition with parameter p.
-using Define = std::function<WordLaw(unsigned n, double p)>;
 
 WordLaw trie_law(unsigned strings, double p) {
   if (strings < 2) return {{"E", 1.0}};
@@ -128,6 +87,9 @@ WordLaw galton_watson_law(unsigned n, double p0, double p1, double p2) {
       add_node(side_by_side({weights[left], weights[nodes - 1 - left]}), p2, law);
     weights.push_back(law);
   }
+  double sum = 0;
+  for (const auto& [word, weight] : weights.back()) sum += weight;
+  for (auto& [word, weight] : weights.back()) weight /= sum;
   return weights.back();
 }
 
@@ -138,7 +100,7 @@ TEST(Trie, HasTheLawOfItsDefinition) {
 }
 
 TEST(Ternary, HasTheLawOfItsDefinition) {
-  for (const unsigned n : {0u, 1u, 2u, 3u, 6u})
+  for (const unsigned n : {0u, 1u, 2u, 3u, 7u})
     EXPECT_TRUE(test::agrees(words_against("ternary(0.25)", n, ternary_law(n, 0.25), "")));
   EXPECT_TRUE(test::rejected(words_against("ternary(0.25)", 6, ternary_law(6, 0.26), ", p off")));
 }
@@ -158,6 +120,28 @@ TEST(GaltonWatson, HasTheLawOfItsDefinition) {
       test::agrees(words_against("galton_watson(0.5,0,0.5)", 9, galton_watson_law(9, 0.5, 0, 0.5), "")));
   EXPECT_TRUE(test::rejected(
       words_against("galton_watson(0.2,0.5,0.3)", 7, galton_watson_law(7, 0.2, 0.47, 0.33), ", p1 off")));
+}
+
+// Without its one-child nodes a trie is the PATRICIA tree of its strings.
+TEST(Trie, ContractedHasThePatriciaShapes) {
+  const Model trie = Model::parse("trie(0.3)");
+  for (const std::size_t n : {1u, 3u, 7u}) {
+    const auto shapes = test::all_shapes(n);
+    const auto counts = test::count_shapes(shapes, 60'000, [&](std::uint64_t replicate) {
+      Stream stream({test::seed_of("contracted tries"), n}, replicate);
+      const Tree tree = trie.grown().grow(n + 1, stream, never);
+      std::vector<std::uint32_t> arity(tree.arities().begin(), tree.arities().end());
+      std::erase(arity, 1u);
+      return to_parentheses(Tree(arity));
+    });
+    const auto patricia = [](double p) { return [p](Size size) { return test::patricia_law(size, p); }; };
+    const auto what = fmt::format("contracted trie(0.3) of {} strings", n + 1);
+    EXPECT_TRUE(test::agrees(test::chi_square(what, counts, test::shape_law(shapes, n, patricia(0.3)))));
+    if (n == 7) {
+      EXPECT_TRUE(test::rejected(
+          test::chi_square(what + ", p off", counts, test::shape_law(shapes, n, patricia(0.32)))));
+    }
+  }
 }
 
 // An order is what one-child nodes inherit, so a trie has that of its PATRICIA tree, exactly.

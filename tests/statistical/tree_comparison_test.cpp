@@ -36,7 +36,7 @@ std::map<std::string, double> rejections(const Model& grown, const Model& model,
   std::map<std::string, double> rejected;
   for (std::uint64_t replicate = 0; replicate < trees; ++replicate) {
     const Simulation simulation{test::seed_of("simulated") + replicate, 99, 1};
-    for (const auto& row : compare_tree(tree_of(grown, 60, replicate), model, simulation, "tree", never))
+    for (const auto& row : TreeComparison(model, simulation, never)(tree_of(grown, 60, replicate), "tree"))
       rejected[row.name] += row.p_value <= 0.05 ? 1 : 0;
   }
   return rejected;
@@ -48,7 +48,7 @@ double most_expected(std::uint64_t trees) {
   return 0.05 * count + 4.75 * std::sqrt(0.05 * 0.95 * count);
 }
 
-TEST(CompareTree, RejectsTreesOfTheModelNoMoreThanItShould) {
+TEST(TreeComparison, RejectsTreesOfTheModelNoMoreThanItShould) {
   constexpr std::uint64_t trees = 400;
   for (const char* text : {"bst", "patricia(0.3)"})
     for (const auto& [name, count] : rejections(Model::parse(text), Model::parse(text), trees)) {
@@ -58,16 +58,16 @@ TEST(CompareTree, RejectsTreesOfTheModelNoMoreThanItShould) {
     }
 }
 
-TEST(CompareTree, RejectsTreesOfAnotherModel) {
+TEST(TreeComparison, RejectsTreesOfAnotherModel) {
   constexpr std::uint64_t trees = 60;
   const auto counts = rejections(Model::parse("catalan"), Model::parse("bst"), trees);
   for (const char* name : {"sackin", "colless", "height"})
     EXPECT_GT(counts.at(name), most_expected(trees)) << name;
 }
 
-TEST(CompareTree, GivesAChainItsNumbers) {
+TEST(TreeComparison, GivesAChainItsNumbers) {
   const Tree chain = from_parentheses(test::to_word(test::right_chain(40)));
-  const auto rows = compare_tree(chain, Model::parse("bst"), {1, 999, 2}, "tree", never);
+  const auto rows = TreeComparison(Model::parse("bst"), {1, 999, 2}, never)(chain, "tree");
   ASSERT_EQ(rows.size(), 10u);
   for (const auto& row : rows) {
     EXPECT_GE(row.adjusted_p, row.p_value);
@@ -84,10 +84,10 @@ TEST(CompareTree, GivesAChainItsNumbers) {
   }
 }
 
-TEST(CompareTree, DoesNotDependOnTheThreads) {
+TEST(TreeComparison, DoesNotDependOnTheThreads) {
   const Tree tree = tree_of(Model::parse("bst"), 200, 1);
-  const auto one = compare_tree(tree, Model::parse("beta(2,2)"), {1, 199, 1}, "tree", never);
-  const auto three = compare_tree(tree, Model::parse("beta(2,2)"), {1, 199, 3}, "tree", never);
+  const auto one = TreeComparison(Model::parse("beta(2,2)"), {1, 199, 1}, never)(tree, "tree");
+  const auto three = TreeComparison(Model::parse("beta(2,2)"), {1, 199, 3}, never)(tree, "tree");
   for (std::size_t i = 0; i < one.size(); ++i) {
     EXPECT_EQ(one[i].p_value, three[i].p_value);
     EXPECT_EQ(one[i].expected, three[i].expected);
@@ -96,14 +96,14 @@ TEST(CompareTree, DoesNotDependOnTheThreads) {
 
 std::string refusal(const char* word, const char* model) {
   try {
-    compare_tree(from_parentheses(word), Model::parse(model), {1, 99, 1}, "my.txt:3", never);
+    TreeComparison(Model::parse(model), {1, 99, 1}, never)(from_parentheses(word), "my.txt:3");
   } catch (const Error& error) {
     return error.what();
   }
   return "accepted";
 }
 
-TEST(CompareTree, RefusesWhatCannotBeCompared) {
+TEST(TreeComparison, RefusesWhatCannotBeCompared) {
   EXPECT_TRUE(refusal("(EE)", "bst").starts_with("my.txt:3: n = 1"));
   EXPECT_NE(refusal("((EEE)E)", "bst").find("binary"), std::string::npos);
   EXPECT_NE(refusal("((EE)E)", "trie(0.3)").find("internal nodes"), std::string::npos);

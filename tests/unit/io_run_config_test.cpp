@@ -155,7 +155,8 @@ const Refusal models_and_statistics[] = {
     {with_line(1, "models = [\"beta(0,1)\"]"),
      "c.toml:1:11: beta(a,b) with a = 0 (a must be a finite number above 0): "},
     {with_line(1, "models = [\"patricia(1)\"]"), "c.toml:1:11: patricia(p) with p = 1 ("},
-    {with_line(1, "models = [\"b\\nst\"]"), "no error"},  // white space in a model is ignored
+    {with_line(1, "models = [\" bst\\n\"]"), "no error"},  // white space around a model is ignored
+    {with_line(1, "models = [\"b\\nst\"]"), "c.toml:1:11: unknown model 'b\\x0ast' ("},
     {with_line(1, "models = [\"b\\u0007st\"]"), "c.toml:1:11: unknown model 'b\\x07st' ("},
     {with_line(4, "statistics = [\"strahlr\"]"),
      "c.toml:4:15: unknown statistic 'strahlr' (no statistic has that name): did"},

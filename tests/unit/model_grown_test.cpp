@@ -72,7 +72,8 @@ TEST(Ternary, RefusesAMainChildThatIsNotTheLargest) {
 
 // A17: E_k = 1.6667, 6.3333, 20.75, 66.2381, 211.6703 for k = 2..6 of leaf order 1.
 TEST(Ramification, KnowsItsMeanSizes) {
-  const auto matrix = Ramification::read(RAMIFY_SOURCE_DIR "/data/ramification_bst.csv");
+  const Ramification matrix(read_ramification_matrix(RAMIFY_SOURCE_DIR "/data/ramification_bst.csv"),
+                            "matrix");
   EXPECT_EQ(matrix.largest_size(), 5u);
   const double internal[] = {0, 1.6667, 6.3333, 20.75, 66.2381, 211.6703};
   for (Size k = 0; k <= 5; ++k) EXPECT_NEAR((matrix.expected_nodes(k) - 1) / 2, internal[k], 5e-5);
@@ -80,7 +81,7 @@ TEST(Ramification, KnowsItsMeanSizes) {
 
 // Leaves of a critical Galton-Watson tree of order K, leaf order 1: (2 4^(K-1) + 1)/3.
 TEST(Tokunaga, OfOneAndTwoHasTheSizesOfCriticalTrees) {
-  const auto matrix = Ramification::tokunaga(1, 2);
+  const Ramification matrix(tokunaga_matrix(1, 2), "matrix");
   for (Size k = 0; k <= 20; ++k)
     EXPECT_NEAR((matrix.expected_nodes(k) + 1) / 2, (2 * std::pow(4.0, static_cast<double>(k)) + 1) / 3,
                 1e-12 * matrix.expected_nodes(k));
@@ -90,10 +91,10 @@ TEST(Ramification, SaysWhichRowIsWrong) {
   const auto read = [](const std::string& text) {
     const auto path = std::filesystem::temp_directory_path() / "ramify_matrix_test.csv";
     std::ofstream(path) << text;
-    return refusal([&] { Ramification::read(path); });
+    return refusal([&] { Ramification(read_ramification_matrix(path), path.string()); });
   };
   EXPECT_NE(
-      read("order,side,probability\n2,1,0.4\n2,2,0.5\n").find("row of order 1 (its probabilities sum to 0.9"),
+      read("order,side,probability\n2,1,0.4\n2,2,0.5\n").find("row of order 1 (the probabilities sum to 0.9"),
       std::string::npos);
   EXPECT_NE(read("order,side,probability\n2,1,1\n").find("p(1,1) is 0"), std::string::npos);
   EXPECT_NE(read("order,side,probability\n2,3,1\n").find(".csv:2:3: side 3"), std::string::npos);

@@ -66,7 +66,7 @@ TEST(Model, RefusesAWrongNumberOfParameters) {
 TEST(Model, RefusesAParameterThatIsNoNumber) {
   for (const char* text :
        {"dst(x)", "dst()", "dst(nan)", "dst(inf)", "dst(-inf)", "dst(1/0)", "beta(1,inf)", "beta(nan,1)",
-        "beta(1,)", "patricia(0.2x)", "split(1e999)", "dst(0.2))", "beta(1e308/1e-308,1)"})
+        "beta(1,)", "patricia(0.2x)", "dst(0 .2)", "split(1e999)", "dst(0.2))", "beta(1e308/1e-308,1)"})
     EXPECT_TRUE(says(refusal(text), "not a finite number")) << text;
 }
 
@@ -102,7 +102,7 @@ TEST(Model, RefusesSizesItCannotDraw) {
 
 TEST(Model, HashesValuesNotSpelling) {
   EXPECT_EQ(Model::parse("patricia(0.25)").stream_cell(100),
-            Model::parse(" patricia( 1/4 )").stream_cell(100));
+            Model::parse(" patricia ( 1/4 )").stream_cell(100));
   EXPECT_EQ(Model::parse("beta(10,80)").stream_cell(5), Model::parse("beta(1e1,80.0)").stream_cell(5));
   EXPECT_EQ(Model::parse("patricia(0.25)"), Model::parse("patricia(1/4)"));
 }
@@ -127,10 +127,13 @@ TEST(Models, AreListedOnceEachWithTheirSource) {
     EXPECT_FALSE(info.source.empty());
     EXPECT_FALSE(info.n_counts.empty());
   }
-  EXPECT_EQ(names, (std::set<std::string_view>{"bst", "beta", "beta_multinomial", "split", "dst", "patricia",
-                                               "catalan", "aldous", "complete", "chain", "file", "trie",
-                                               "ternary", "branching", "galton_watson", "tokunaga",
-                                               "ramification", "kary", "flow_rate"}));
+  EXPECT_EQ(names,
+            (std::set<std::string_view>{
+                "bst",         "beta",      "beta_multinomial", "split",     "dst",          "patricia",
+                "catalan",     "aldous",    "complete",         "chain",     "file",         "trie",
+                "ternary",     "branching", "galton_watson",    "tokunaga",  "ramification", "kary",
+                "flow_rate",   "hybrid",    "markov",           "node_beta", "node_dst",     "node_split",
+                "node_ternary"}));
   for (const auto& info : models())
     if (info.name == "beta") {
       EXPECT_EQ(info.signature(), "beta(a,b)");

@@ -59,5 +59,22 @@ TEST(MeasureTree, SeesWhatTheGrowingPassSees) {
   }
 }
 
+TEST(MeasureTree, SeesTheOrdersThatAreAskedForAlone) {
+  const Cancellation never;
+  for (const auto& [text, n] : {std::pair{"trie(0.2)", 300}, std::pair{"ternary(0.2)", 300},
+                                std::pair{"galton_watson(0.3,0.4,0.3)", 301}, std::pair{"kary(3)", 1},
+                                std::pair{"branching(0,1,0)", 5}, std::pair{"node_beta(d,1)", 200}}) {
+    const Model model = Model::parse(text);
+    Stream stream({7, 8}, 9);
+    const Tree tree = model.grown().grow(static_cast<Size>(n), stream, never);
+    const TreeMeasures all = measure_tree(tree, {7, 8}, 9), orders = measure_orders(tree);
+    EXPECT_EQ(orders.size, all.size) << text;
+    EXPECT_EQ(orders.strahler, all.strahler) << text;
+    EXPECT_EQ(orders.height, all.height) << text;
+    EXPECT_EQ(orders.nodes, all.nodes) << text;
+    EXPECT_EQ(orders.streams, all.streams) << text;
+  }
+}
+
 }  // namespace
 }  // namespace ramify

@@ -43,8 +43,7 @@ Values measured(const test::Shape& shape, std::uint64_t replicate = 0) {
   std::vector<StatisticValue> row;
   write_statistics(columns, measures, row);
   Values values;
-  for (std::size_t i = 0; i < columns.size(); ++i)
-    values[columns[i].name] = columns[i].statistic->real ? row[i].real : static_cast<double>(row[i].whole);
+  for (std::size_t i = 0; i < columns.size(); ++i) values[columns[i].name] = as_real(columns[i], row[i]);
   return values;
 }
 

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "ramify/core/error.hpp"
+
 namespace ramify {
 namespace {
 
@@ -42,6 +44,11 @@ std::vector<std::string> nearest_names(std::string_view name, const std::vector<
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& known) {
   const auto names = nearest_names(name, known);
   return names.empty() ? std::string() : fmt::format("did you mean {}? ", fmt::join(names, " or "));
+}
+
+void refuse_name(std::string_view kind, std::string_view name, const std::vector<std::string>& known) {
+  throw Error(fmt::format("unknown {} '{}'", kind, name), fmt::format("no {} has that name", kind),
+              fmt::format("{}see: ramify list {}s", did_you_mean(name, known), kind));
 }
 
 }  // namespace ramify

@@ -13,4 +13,8 @@ std::vector<std::string> nearest_names(std::string_view name, const std::vector<
 /// "did you mean bst or beta? " or "" where nothing is near; for the remedy of an Error.
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& known);
 
+/// Throws Error: there is no `kind` ("model") of that name; what is near, and the list to see.
+[[noreturn]] void refuse_name(std::string_view kind, std::string_view name,
+                              const std::vector<std::string>& known);
+
 }  // namespace ramify

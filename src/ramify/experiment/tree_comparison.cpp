@@ -8,16 +8,11 @@
 
 #include <fmt/format.h>
 
+#include "ramify/accumulate/real_summary.hpp"
 #include "ramify/compare/holm.hpp"
 #include "ramify/core/error.hpp"
 #include "ramify/core/parallel.hpp"
-#include "ramify/law/balance_law.hpp"
-#include "ramify/law/build_law.hpp"
 #include "ramify/law/exact_means.hpp"
-#include "ramify/law/fill_level_law.hpp"
-#include "ramify/law/height_law.hpp"
-#include "ramify/law/law_limit.hpp"
-#include "ramify/law/strahler_law.hpp"
 #include "ramify/sample/measure_tree.hpp"
 #include "ramify/sample/tree_sampler.hpp"
 #include "ramify/statistic/registry.hpp"
@@ -51,14 +46,13 @@ Row values_of(const std::vector<StatisticSet::Column>& columns, const TreeMeasur
   std::vector<StatisticValue> row;
   write_statistics(columns, measures, row);
   Row values;
-  for (std::size_t i = 0; i < columns.size(); ++i)
-    values.push_back(columns[i].statistic->real ? row[i].real : static_cast<double>(row[i].whole));
+  for (std::size_t i = 0; i < columns.size(); ++i) values.push_back(as_real(columns[i], row[i]));
   return values;
 }
 
 /// The statistics of simulated trees, tree by tree.
-std::vector<Row> simulate(const Model& model, Size n, const std::vector<StatisticSet::Column>& columns,
-                          const Simulation& simulation, const Cancellation& cancellation) {
+std::vector<Row> simulated(const Model& model, Size n, const std::vector<StatisticSet::Column>& columns,
+                           const Simulation& simulation, const Cancellation& cancellation) {
   const auto prototype = make_tree_sampler({model, grow_all, n, &cancellation});
   const StreamKey key{simulation.seed, model.stream_cell(n)};
   std::vector<std::unique_ptr<TreeSampler>> samplers(simulation.threads);
@@ -77,24 +71,14 @@ double two_sided(double at_most, double at_least) {
   return std::min(1.0, 2 * std::min(at_most, at_least));
 }
 
-/// From the law of a statistic; nothing where it has none, or the tree is too large for it.
-std::optional<double> exact_p_value(const std::string& name, const Model& model, Size n, double observed,
-                                    const Cancellation& cancellation) {
-  if (!model.is_split() || n > law_limit(model)) return std::nullopt;
-  const auto from = [&](const auto& law) {
-    double at_most = 0, at_least = 0, value = static_cast<double>(law.lowest(n));
-    for (const double p : law.pmf(n)) {
-      if (value <= observed) at_most += p;
-      if (value >= observed) at_least += p;
-      ++value;
-    }
-    return two_sided(at_most, at_least);
-  };
-  if (name == "strahler") return from(build_law(model, n, StrahlerLaw(n), cancellation));
-  if (name == "height") return from(build_law(model, n, HeightLaw(), cancellation));
-  if (name == "fill_level") return from(build_law(model, n, FillLevelLaw(n), cancellation));
-  if (name == "balance") return from(build_law(model, n, BalanceLaw(n), cancellation));
-  return std::nullopt;
+double exact_p_value(const FiniteLaw& law, double observed) {
+  double at_most = 0, at_least = 0, value = law.first;
+  for (const double p : law.probabilities) {
+    if (value <= observed) at_most += p;
+    if (value >= observed) at_least += p;
+    ++value;
+  }
+  return two_sided(at_most, at_least);
 }
 
 /// The tree itself counts as one of the simulated ones, so no p-value is 0.
@@ -109,13 +93,35 @@ double simulated_p_value(const std::vector<Row>& rows, std::size_t column, doubl
 }
 
 Moments simulated_moments(const std::vector<Row>& rows, std::size_t column) {
-  double mean = 0, squares = 0;
-  for (const Row& row : rows) mean += row[column] / static_cast<double>(rows.size());
-  for (const Row& row : rows) squares += (row[column] - mean) * (row[column] - mean);
-  return {mean, squares / static_cast<double>(rows.size() - 1)};
+  RealSummary summary;
+  for (const Row& row : rows) summary.add(row[column]);
+  return {summary.mean(), summary.variance()};
 }
 
 }  // namespace
+
+/// What trees of the model have at one size.
+struct TreeComparison::Reference {
+  std::vector<StatisticSet::Column> columns;
+  std::optional<ExactMeans> exact;  ///< none of a model that is grown whole
+  std::vector<Row> trees;           ///< simulated
+
+  Reference(const Model& model, Size n, const Simulation& simulation, const Cancellation& cancellation)
+      : columns(StatisticSet::parse(compared).columns(model.largest_order(n))),
+        trees(simulated(model, n, columns, simulation, cancellation)) {
+    if (model.is_split()) exact.emplace(model, n);
+  }
+
+  ComparedStatistic compare(std::size_t i, Size n, double observed) const {
+    const std::string& name = columns[i].name;
+    const auto known = exact ? exact->moments(name, n) : std::nullopt;
+    const bool has_moments = known && !std::isnan(known->variance);
+    const Moments moments = has_moments ? *known : simulated_moments(trees, i);
+    const auto law = exact ? exact->law(name, n) : std::nullopt;
+    const double p = law ? exact_p_value(*law, observed) : simulated_p_value(trees, i, observed);
+    return {name, observed, moments.mean, std::sqrt(std::max(0.0, moments.variance)), p, 0, law.has_value()};
+  }
+};
 
 double ComparedStatistic::effect() const {
   const double off = observed - expected;
@@ -125,27 +131,29 @@ double ComparedStatistic::effect() const {
              : std::copysign(std::numeric_limits<double>::infinity(), off);
 }
 
-std::vector<ComparedStatistic> compare_tree(const Tree& tree, const Model& model,
-                                            const Simulation& simulation, std::string_view where,
-                                            const Cancellation& cancellation) {
-  require_comparable(tree, model, where);
+TreeComparison::TreeComparison(const Model& model, const Simulation& simulation,
+                               const Cancellation& cancellation)
+    : model_(model), simulation_(simulation), cancellation_(cancellation) {}
+
+TreeComparison::~TreeComparison() = default;
+
+const TreeComparison::Reference& TreeComparison::reference(Size n) {
+  auto& kept = references_[n];
+  if (!kept) kept = std::make_unique<const Reference>(model_, n, simulation_, cancellation_);
+  return *kept;
+}
+
+std::vector<ComparedStatistic> TreeComparison::operator()(const Tree& tree, std::string_view where) {
+  require_comparable(tree, model_, where);
   const Size n = tree.size();
-  model.require_size(n);
-  const auto columns = StatisticSet::parse(compared).columns(model.largest_order(n));
-  const Row observed = values_of(columns, measure_tree(tree, {simulation.seed, 0}, 0));
-  const auto rows = simulate(model, n, columns, simulation, cancellation);
-  std::optional<ExactMeans> exact;
-  if (model.is_split()) exact.emplace(model, n);
+  model_.require_size(n);
+  const Reference& trees = reference(n);
+  const Row observed = values_of(trees.columns, measure_tree(tree, {simulation_.seed, 0}, 0));
   std::vector<ComparedStatistic> result;
   std::vector<double> p_values;
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    const auto known = exact ? exact->moments(columns[i].name, n) : std::nullopt;
-    const bool has_moments = known && !std::isnan(known->variance);
-    const Moments moments = has_moments ? *known : simulated_moments(rows, i);
-    const auto p = exact_p_value(columns[i].name, model, n, observed[i], cancellation);
-    p_values.push_back(p ? *p : simulated_p_value(rows, i, observed[i]));
-    result.push_back({columns[i].name, observed[i], moments.mean, std::sqrt(std::max(0.0, moments.variance)),
-                      p_values.back(), 0, p.has_value()});
+  for (std::size_t i = 0; i < observed.size(); ++i) {
+    result.push_back(trees.compare(i, n, observed[i]));
+    p_values.push_back(result.back().p_value);
   }
   const auto adjusted = holm_adjusted(p_values);
   for (std::size_t i = 0; i < result.size(); ++i) result[i].adjusted_p = adjusted[i];

@@ -1,7 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ramify/core/cancellation.hpp"
@@ -15,7 +18,7 @@ struct ComparedStatistic {
   std::string name;
   double observed;
   double expected;    ///< exact mean where it is known, else that of the simulated trees
-  double deviation;   ///< standard deviation of one tree, likewise
+  double deviation;   ///< standard deviation of one tree, likewise: its standard error under the model
   double p_value;     ///< two-sided: twice the smaller of P(X <= observed) and P(X >= observed), at most 1
   double adjusted_p;  ///< for the number of statistics (Holm 1979)
   bool exact;         ///< the p-value is that of the exact law, else of the simulated trees
@@ -32,15 +35,34 @@ struct Simulation {
   unsigned threads = 1;  ///< decides the time alone
 };
 
-/// Is this tree like trees of the model? Compares order, height, width, fill level, balance, cherries, Sackin
+/// Is a tree like trees of the model? Compares order, height, width, fill level, balance, cherries, Sackin
 /// and Colless index and the mean ratios of nodes and streams with those of model trees of the same size.
 ///
-/// Throws Error for a tree of fewer than two internal nodes, one with other than two children where the model
-/// has two, and a model whose n does not count internal nodes. Throws Interrupted. Cost: `trees` trees of the
-/// same size, some 40 ns a node, and the exact laws of the model to its size, at most some seconds.
-/// @param where  names the tree in messages
-std::vector<ComparedStatistic> compare_tree(const Tree& tree, const Model& model,
-                                            const Simulation& simulation, std::string_view where,
-                                            const Cancellation& cancellation);
+/// What it computes and simulates of a size it keeps for the next tree of that size. For use by one thread.
+class TreeComparison {
+ public:
+  /// @param cancellation  looked at between simulated trees; must outlive the object
+  TreeComparison(const Model& model, const Simulation& simulation, const Cancellation& cancellation);
+  TreeComparison(const TreeComparison&) = delete;
+  TreeComparison(TreeComparison&&) = delete;
+  TreeComparison& operator=(const TreeComparison&) = delete;
+  TreeComparison& operator=(TreeComparison&&) = delete;
+  ~TreeComparison();
+
+  /// Throws Error for a tree of fewer than two internal nodes, one with other than two children where the
+  /// model has two, and a model whose n does not count internal nodes. Throws Interrupted. Cost, of a new
+  /// size: `trees` trees of it, some 40 ns a node, and the exact laws of the model, at most some seconds.
+  /// @param where  names the tree in messages
+  std::vector<ComparedStatistic> operator()(const Tree& tree, std::string_view where);
+
+ private:
+  struct Reference;
+  const Reference& reference(Size n);
+
+  Model model_;
+  Simulation simulation_;
+  const Cancellation& cancellation_;
+  std::map<Size, std::unique_ptr<const Reference>> references_;
+};
 
 }  // namespace ramify

@@ -16,6 +16,12 @@ std::optional<Size> order_of(std::string_view column, std::string_view prefix) {
   return parse_count(column.substr(prefix.size()));
 }
 
+/// The law of size n, of the value plus `more`.
+template <class Law>
+FiniteLaw finite(const Law& law, Size n, double more = 0) {
+  return {static_cast<double>(law.lowest(n)) + more, law.pmf(n)};
+}
+
 Moments one_more(const Moments& moments) {
   return {moments.mean + 1, moments.variance};
 }
@@ -71,6 +77,19 @@ std::optional<Moments> ExactMeans::moments(std::string_view column, Size n) cons
   if (column == "alternate_balance") return one_more(known(balance_, n).moments(n));
   if (const auto k = order_of(column, "nodes_")) return of_count(n, {OrderCount::Of::nodes, *k});
   if (const auto k = order_of(column, "streams_")) return of_count(n, {OrderCount::Of::streams, *k});
+  return std::nullopt;
+}
+
+std::optional<FiniteLaw> ExactMeans::law(std::string_view column, Size n) const {
+  if (n > largest_n_) return std::nullopt;
+  if (column == "strahler") return finite(known(strahler_, n), n);
+  if (column == "registers") return finite(known(strahler_, n), n, 1);
+  if (column == "height") return finite(known(height_, n), n);
+  if (column == "depth") return finite(known(depth_, n), n);
+  if (column == "external_depth") return finite(known(external_depth_, n, DepthLaw::Of::external_node), n);
+  if (column == "fill_level") return finite(known(fill_level_, n), n);
+  if (column == "balance") return finite(known(balance_, n), n);
+  if (column == "alternate_balance") return finite(known(balance_, n), n, 1);
   return std::nullopt;
 }
 

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "ramify/law/balance_law.hpp"
 #include "ramify/law/depth_law.hpp"
@@ -15,8 +16,14 @@
 
 namespace ramify {
 
-/// The exact mean and variance of a table's columns, for one model and every n up to the smaller of largest_n
-/// and law_limit(model).
+/// P(X = first + i), i = 0, 1, ...
+struct FiniteLaw {
+  double first;
+  std::vector<double> probabilities;
+};
+
+/// The exact mean and variance of a table's columns, and their laws, for one model and every n up to the
+/// smaller of largest_n and law_limit(model).
 ///
 /// A law is computed when it is first asked for, up to the n asked for, and kept. For use by one thread at a
 /// time.
@@ -36,6 +43,9 @@ class ExactMeans {
   /// largest_n() or the column has no exact law here: ratios, width. nodes_k and streams_k have the mean only
   /// where n > order_moments_limit(model).
   std::optional<Moments> moments(std::string_view column, Size n) const;
+
+  /// The whole law of a column. Nothing where n > largest_n() or only moments are known.
+  std::optional<FiniteLaw> law(std::string_view column, Size n) const;
 
  private:
   template <class Law>

@@ -5,11 +5,16 @@
 #include "ramify/core/error.hpp"
 
 namespace ramify {
+namespace {
 
-FlowRate::FlowRate(double f) : fraction_(f / 2) {
-  if (f > 0 && f <= 1) return;
+double share(double f) {
+  if (f > 0 && f <= 1) return f / 2;
   throw Error(fmt::format("flow_rate(f) with f = {}", f), "f must lie in (0,1]",
               "give the share of the flow, such as 0.8");
 }
+
+}  // namespace
+
+FlowRate::FlowRate(double f) : split_(share(f)) {}
 
 }  // namespace ramify

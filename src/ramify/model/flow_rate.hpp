@@ -1,9 +1,9 @@
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "ramify/model/fixed_split.hpp"
 #include "ramify/tree/grammar.hpp"
 
 namespace ramify {
@@ -28,8 +28,7 @@ class FlowRate {
   template <class Urbg>
   void children(Label label, Urbg&, std::vector<Label>& below) const {
     if (label.size == 0 || label.levels <= 1) return;
-    const auto left =
-        std::min(static_cast<Size>(static_cast<double>(label.size) * fraction_), label.size - 1);
+    const Size left = split_.left(label.size);
     below.push_back({left, label.levels - 1});
     below.push_back({label.size - 1 - left, label.levels - 1});
   }
@@ -39,7 +38,7 @@ class FlowRate {
   Size largest_size() const { return 50; }
 
  private:
-  double fraction_;
+  FixedSplit split_;
 };
 
 }  // namespace ramify

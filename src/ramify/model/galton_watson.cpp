@@ -1,13 +1,14 @@
 #include "ramify/model/galton_watson.hpp"
 
 #include <algorithm>
-#include <bit>
+#include <array>
 
 #include <fmt/format.h>
 
 #include "ramify/model/parameter.hpp"
 #include "ramify/random/alias_table.hpp"
 #include "ramify/random/uniform.hpp"
+#include "ramify/tree/largest_order.hpp"
 
 namespace ramify {
 namespace {
@@ -37,13 +38,13 @@ std::size_t tree_start(const std::vector<std::uint32_t>& arity) {
 
 GaltonWatson::GaltonWatson(double p0, double p1, double p2) : p1_(p1), ratio_(p0 * p2 / (p1 * p1)) {
   constexpr std::string_view name = "galton_watson(p0,p1,p2)";
-  require_distribution(name, {p0, p1, p2});
+  require_distribution(fmt::format("galton_watson({},{},{})", p0, p1, p2), std::array{p0, p1, p2});
   require_positive(name, "p0", p0);
   require_positive(name, "p2", p2);
 }
 
 std::size_t GaltonWatson::largest_order(Size n) const {
-  return static_cast<std::size_t>(std::bit_width((n + 1) / 2)) - (n > 0 ? 1 : 0);
+  return largest_strahler_order((n + 1) / 2);
 }
 
 /// Outwards from the mode, as far as weights are above 1e-18 of it.

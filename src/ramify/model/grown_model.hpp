@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 #include "ramify/core/cancellation.hpp"
@@ -41,11 +42,9 @@ class GrownModel {
 /// Requirements on a grammar g:
 ///   g.root(n)                    the root's label, of type G::Label
 ///   g.children(l, s, labels)     appends the labels of the children of a node, drawn from the stream s; none
-///   of an external
-///                                one
-///   g.expected_nodes(n), g.largest_order(n), and g.largest_size(), g.content_hash() where they are not the
-///   default: as of
-///                                GrownModel
+///                                of an external one. It may change g: a tree is grown by a copy
+///   g.expected_nodes(n), g.largest_order(n)                       as of GrownModel, and so
+///   g.largest_size(), g.content_hash(), g.require_size(n)         where they are not the default
 template <class G>
 class GrammarModel final : public GrownModel {
  public:
@@ -53,17 +52,19 @@ class GrammarModel final : public GrownModel {
 
   Tree grow(Size n, Stream& stream, const Cancellation& cancellation) const override {
     constexpr std::size_t nodes_between_looks = std::size_t{1} << 20;
+    std::unique_ptr<G> grammar = take();
     std::vector<std::uint32_t> arity;
-    std::vector<typename G::Label> pending{grammar_.root(n)}, children;
+    std::vector<typename G::Label> pending{grammar->root(n)}, children;
     while (!pending.empty()) {
       if (arity.size() % nodes_between_looks == 0 && cancellation.requested()) throw Interrupted();
       const auto label = pending.back();
       pending.pop_back();
       children.clear();
-      grammar_.children(label, stream, children);
+      grammar->children(label, stream, children);
       arity.push_back(static_cast<std::uint32_t>(children.size()));
       pending.insert(pending.end(), children.rbegin(), children.rend());
     }
+    give_back(std::move(grammar));
     return Tree(std::move(arity));
   }
 
@@ -76,6 +77,9 @@ class GrammarModel final : public GrownModel {
       return GrownModel::largest_size();
     }
   }
+  void require_size(Size n) const override {
+    if constexpr (requires(G& grammar) { grammar.require_size(n); }) G(grammar_).require_size(n);
+  }
   std::uint64_t content_hash() const override {
     if constexpr (requires { grammar_.content_hash(); }) {
       return grammar_.content_hash();
@@ -85,7 +89,22 @@ class GrammarModel final : public GrownModel {
   }
 
  private:
+  // Copies that no tree uses are kept: one of formulas costs as much as a tree of some hundred nodes.
+  std::unique_ptr<G> take() const {
+    const std::lock_guard lock(mutex_);
+    if (spare_.empty()) return std::make_unique<G>(grammar_);
+    std::unique_ptr<G> copy = std::move(spare_.back());
+    spare_.pop_back();
+    return copy;
+  }
+  void give_back(std::unique_ptr<G> copy) const {
+    const std::lock_guard lock(mutex_);
+    spare_.push_back(std::move(copy));
+  }
+
   G grammar_;
+  mutable std::mutex mutex_;
+  mutable std::vector<std::unique_ptr<G>> spare_;
 };
 
 template <class G>

@@ -6,7 +6,6 @@
 #include <string>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "ramify/core/error.hpp"
 
@@ -29,13 +28,13 @@ void require_positive(std::string_view model, std::string_view name, double valu
   require_above(model, name, value, 0, "give a positive number, such as 10");
 }
 
-double require_distribution(std::string_view model, std::initializer_list<double> probabilities) {
+double require_distribution(std::string_view problem, std::span<const double> probabilities) {
   const double sum = std::accumulate(probabilities.begin(), probabilities.end(), 0.0);
-  const std::string problem = fmt::format("{} with {}", model, fmt::join(probabilities, ", "));
   if (std::any_of(probabilities.begin(), probabilities.end(), [](double p) { return !(p >= 0); }))
     throw Error(problem, "a probability is not negative", "give numbers from 0 to 1");
   if (!(std::abs(sum - 1) <= 1e-9))
-    throw Error(problem, fmt::format("the probabilities sum to {}, not 1", sum), "correct one of them");
+    throw Error(problem, fmt::format("the probabilities sum to {}, {} off 1", sum, sum - 1),
+                "correct one of them");
   return sum;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <initializer_list>
+#include <span>
 #include <string_view>
 
 namespace ramify {
@@ -15,7 +15,8 @@ void require_above(std::string_view model, std::string_view name, double value, 
 /// Throws Error unless value is finite and positive.
 void require_positive(std::string_view model, std::string_view name, double value);
 
-/// The sum of the probabilities. Throws Error unless they are >= 0 and sum to 1 within 1e-9.
-double require_distribution(std::string_view model, std::initializer_list<double> probabilities);
+/// The sum of the probabilities. Throws Error, beginning with `problem`, unless they are >= 0 and sum to 1
+/// within 1e-9.
+double require_distribution(std::string_view problem, std::span<const double> probabilities);
 
 }  // namespace ramify

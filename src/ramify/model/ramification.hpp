@@ -1,11 +1,11 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <memory>
 #include <string_view>
 #include <vector>
 
+#include "ramify/model/ramification_matrix.hpp"
 #include "ramify/random/alias_table.hpp"
 #include "ramify/tree/grammar.hpp"
 
@@ -19,20 +19,9 @@ class Ramification {
  public:
   using Label = std::uint32_t;  ///< order
 
-  /// Row k-1 holds p(k,0), ..., p(k,k), k = 1.. Throws Error for a negative probability, a row that does not
-  /// sum to 1 within 1e-9 (they are then scaled to 1), and p(k,k) = 0: the tree would never end. @param name
-  /// for messages
-  Ramification(const std::vector<std::vector<double>>& matrix, std::string_view name);
-
-  /// From a CSV file with the columns order, side, probability and, if wanted, leaf_order (0, or 1 as
-  /// measured data have it: the default); the rows of an order may stand anywhere, what has none is 0. Throws
-  /// Error with file:line:column.
-  static Ramification read(const std::filesystem::path& path);
-
-  /// The random self-similar tree of Tokunaga numbers T_k = a c^(k-1) up to `orders` (Tokunaga 1978;
-  /// Kovchegov and Zaliapin 2018): p(k,j) = T_(k-j)/(1 + T_1 + ... + T_k), p(k,k) = 1/(1 + T_1 + ... + T_k).
-  /// a = 1, c = 2 is the critical binary Galton-Watson tree given its order.
-  static Ramification tokunaga(double a, double c);
+  /// Throws Error for a negative probability, a row that does not sum to 1 within 1e-9 (they are then scaled
+  /// to 1), and p(k,k) = 0: the tree would never end. @param name  for messages
+  Ramification(const RamificationMatrix& matrix, std::string_view name);
 
   Label root(Size n) const { return static_cast<Label>(n); }
 

@@ -31,9 +31,14 @@ using AnySplitLaw = std::variant<Bst, Beta, BetaMultinomial, FixedSplit, Dst, Pa
 /// What a model is: a split law, of whose trees ramify knows exact laws, or a tree that is grown whole.
 using AnyModel = std::variant<AnySplitLaw, std::shared_ptr<const GrownModel>>;
 
-/// How a model comes from what stands between the parentheses: from numbers, or from a file.
+/// How a model comes from what stands between the parentheses: from numbers, from texts between commas, or
+/// from a file.
 using FromNumbers = AnyModel (*)(std::span<const double> parameters);
+using FromTexts = AnyModel (*)(std::span<const std::string> texts);
 using FromFile = AnyModel (*)(const std::filesystem::path& path);
+
+/// What n counts, of models of which it counts that.
+inline constexpr std::string_view internal_nodes = "internal nodes";
 
 /// What `ramify list models` says of a model.
 struct ModelInfo {
@@ -43,8 +48,9 @@ struct ModelInfo {
   std::string_view domain;                   ///< of the parameters
   std::string_view description;              ///< the split law in a line
   std::string_view source;                   ///< author year, catalogue number
-  std::variant<FromNumbers, FromFile> make;
-  bool is_split = true;  ///< as Model::is_split
+  std::variant<FromNumbers, FromTexts, FromFile> make;
+  bool is_split = true;   ///< as Model::is_split
+  bool is_binary = true;  ///< no node has three children or more
 
   /// "beta(a,b)"
   std::string signature() const;
@@ -56,16 +62,16 @@ const std::vector<ModelInfo>& models();
 /// A model with its parameters, as written on a command line or in a config.
 class Model {
  public:
-  /// "bst", "beta(10,80)", "patricia(1/4.35)"; white space is ignored. "file(PATH)" reads the file now; PATH
-  /// is all between the first ( and the last ). Throws Error for an unknown name (nearest names given), a
-  /// wrong number of parameters, a parameter that is no number or out of its domain, a file that holds no
-  /// split law.
+  /// "bst", "beta(10,80)", "patricia(1/4.35)", "node_beta(d,max(d,2))"; white space around each part is
+  /// ignored. "file(PATH)" reads the file now; PATH is all between the first ( and the last ). Throws Error
+  /// for an unknown name (nearest names given), a wrong number of parameters, a parameter that is no number,
+  /// no formula or out of its domain, a file that does not hold what the model needs.
   static Model parse(std::string_view text);
 
   /// The model as written, without white space (but that of a path).
   const std::string& text() const { return text_; }
   const std::string& name() const { return name_; }
-  /// None of a file.
+  /// Numbers; none of a file or of formulas.
   const std::vector<double>& parameters() const { return parameters_; }
 
   /// False of a tree that is grown whole: no exact law is known, nothing is grafted.

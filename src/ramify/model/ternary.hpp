@@ -1,11 +1,11 @@
 #pragma once
 
-#include <bit>
 #include <vector>
 
 #include "ramify/model/split_law.hpp"
 #include "ramify/random/variates.hpp"
 #include "ramify/tree/grammar.hpp"
+#include "ramify/tree/largest_order.hpp"
 
 namespace ramify {
 
@@ -33,7 +33,7 @@ class Ternary {
   }
 
   double expected_nodes(Size n) const { return 3 * static_cast<double>(n) + 1; }
-  std::size_t largest_order(Size n) const { return static_cast<std::size_t>(std::bit_width(2 * n + 1)) - 1; }
+  std::size_t largest_order(Size n) const { return largest_strahler_order(2 * n + 1); }
   Size largest_size() const { return max_double_size; }
 
  private:

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <bit>
 #include <cmath>
 #include <vector>
 
@@ -8,6 +7,7 @@
 #include "ramify/model/split_law.hpp"
 #include "ramify/random/variates.hpp"
 #include "ramify/tree/grammar.hpp"
+#include "ramify/tree/largest_order.hpp"
 
 namespace ramify {
 
@@ -38,9 +38,7 @@ class Trie {
     return static_cast<double>(n) * (1 + 1 / entropy);
   }
 
-  std::size_t largest_order(Size n) const {
-    return n == 0 ? 0 : static_cast<std::size_t>(std::bit_width(n)) - 1;
-  }
+  std::size_t largest_order(Size n) const { return largest_strahler_order(n); }
   Size largest_size() const { return max_double_size; }
 
  private:

@@ -5,11 +5,23 @@
 
 namespace ramify {
 
-TreeMeasures measure_tree(const Tree& tree, StreamKey key, std::uint64_t replicate) {
-  auto fold = make_fold<MeasuredFold>(key, replicate);
+namespace {
+
+template <class F>
+TreeMeasures measure_by(F fold, const Tree& tree) {
   TreeMeasures measures;
   record(fold, measure(tree, fold), measures);
   return measures;
+}
+
+}  // namespace
+
+TreeMeasures measure_tree(const Tree& tree, StreamKey key, std::uint64_t replicate) {
+  return measure_by(make_fold<MeasuredFold>(key, replicate), tree);
+}
+
+TreeMeasures measure_orders(const Tree& tree) {
+  return measure_by(LeanFold(), tree);
 }
 
 }  // namespace ramify

@@ -11,4 +11,7 @@ namespace ramify {
 /// @param tree  at least one node; HortonStrahler::orders orders at most, so fewer than 2^63 external nodes
 TreeMeasures measure_tree(const Tree& tree, StreamKey key, std::uint64_t replicate);
 
+/// Order, height and counts of nodes and streams alone, in a third of the time. tree: as of measure_tree.
+TreeMeasures measure_orders(const Tree& tree);
+
 }  // namespace ramify

@@ -1,13 +1,13 @@
 #pragma once
 
 #include <array>
-#include <bit>
 #include <cstdint>
 
 #include "ramify/core/contract.hpp"
 #include "ramify/statistic/small_counts.hpp"
 #include "ramify/statistic/strahler.hpp"
 #include "ramify/tree/grammar.hpp"
+#include "ramify/tree/largest_order.hpp"
 
 namespace ramify {
 
@@ -83,8 +83,8 @@ class HortonStrahler {
     return streams;
   }
 
-  /// The largest order a tree with n internal nodes can have: floor(log2(n+1)).
-  static std::size_t largest_order(Size n) { return static_cast<std::size_t>(std::bit_width(n + 1)) - 1; }
+  /// The largest order a strict binary tree with n internal nodes can have: floor(log2(n+1)).
+  static std::size_t largest_order(Size n) { return largest_strahler_order(n + 1); }
 
  private:
   // A node keeps the order of a child, or it begins a stream of an order of its own: one counter for either.

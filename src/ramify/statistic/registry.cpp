@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "ramify/core/error.hpp"
-#include "ramify/core/nearest_name.hpp"
+#include "ramify/core/find_named.hpp"
 #include "ramify/statistic/horton_strahler.hpp"
 #include "ramify/statistic/order_ratios.hpp"
 
@@ -14,12 +14,6 @@ namespace ramify {
 namespace {
 
 constexpr std::string_view leaf_order_0 = "leaf order 0";
-
-std::vector<std::string> known_names() {
-  std::vector<std::string> names;
-  for (const auto& info : statistics()) names.emplace_back(info.name);
-  return names;
-}
 
 StatisticValue whole(std::uint64_t value) {
   StatisticValue result;
@@ -138,9 +132,9 @@ const std::vector<StatisticInfo>& statistics() {
       whole_number("sackin", "edges from the root, external nodes",
                    "sum of the depths of all external nodes (Sackin 1972)", "B23", Measure::shape,
                    number<&M::sackin>),
-      whole_number("colless", "external nodes, nodes with two children",
-                   "sum of the differences of left and right (Colless 1982)", "B23", Measure::shape,
-                   number<&M::colless>),
+      {"colless", "external nodes, nodes with two children",
+       "sum of the differences of left and right (Colless 1982)", "B23", false, Columns::one, Measure::shape,
+       number<&M::colless>, true},
       whole_number("cherries", "two or more external nodes below one, one-child nodes contracted",
                    "streams of order 1, leaf order 0", "B8", Measure::counts, cherries),
       whole_number("width", "external nodes counted", "nodes of the fullest level", "B23", Measure::profile,
@@ -214,17 +208,12 @@ std::vector<OrderPlace> StatisticInfo::places(std::size_t largest_order) const {
 
 StatisticSet StatisticSet::parse(std::span<const std::string> names) {
   StatisticSet set;
-  const auto& all = statistics();
   for (const auto& name : names) {
-    const auto found =
-        std::find_if(all.begin(), all.end(), [&](const auto& info) { return info.name == name; });
-    if (found == all.end())
-      throw Error(fmt::format("unknown statistic '{}'", name), "no statistic has that name",
-                  did_you_mean(name, known_names()) + "see: ramify list statistics");
+    const StatisticInfo& info = find_named(statistics(), &StatisticInfo::name, name, "statistic");
     if (set.contains(name))
       throw Error(fmt::format("statistic '{}' given twice", name), "each becomes one set of columns",
                   "name it once");
-    set.chosen_.push_back(&*found);
+    set.chosen_.push_back(&info);
   }
   if (set.chosen_.empty())
     throw Error("no statistic", "there is nothing to measure",

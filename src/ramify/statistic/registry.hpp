@@ -56,6 +56,7 @@ struct StatisticInfo {
   Columns shape;    ///< one column, or one for each order or pair of orders
   Measure measure;  ///< what it is read off
   StatisticValue (*value)(const TreeMeasures&, OrderPlace place);
+  bool needs_binary = false;  ///< says nothing of nodes with three children or more
 
   /// "strahler", or "nodes_0..nodes_K".
   std::string columns() const;
@@ -94,6 +95,11 @@ class StatisticSet {
  private:
   std::vector<const StatisticInfo*> chosen_;
 };
+
+/// The value of a column, whole or real, as a real number.
+inline double as_real(const StatisticSet::Column& column, StatisticValue value) {
+  return column.statistic->real ? value.real : static_cast<double>(value.whole);
+}
 
 /// The statistics of a measured tree, column by column.
 void write_statistics(const std::vector<StatisticSet::Column>& columns, const TreeMeasures& measures,

@@ -1,0 +1,59 @@
+#include <memory>
+
+#include "session.hpp"
+
+#include "ramify/core/number.hpp"
+#include "ramify/experiment/trie_table.hpp"
+#include "ramify/io/read_count.hpp"
+
+namespace ramify::cli {
+namespace {
+
+struct Options {
+  std::string p = "1/2", n, epsilon = "0.2", strings, seed = "1996", replicates = "1", output;
+  bool nodes = false;
+};
+
+double read_real(const char* name, const std::string& text) {
+  if (const auto value = parse_real(text)) return *value;
+  throw Error(std::string(name) + " " + text, "not a finite number",
+              "write a number or a fraction, such as 0.23 or 1/4.35");
+}
+
+ExitCode trie(const Options& options) {
+  TrieRequest request;
+  if (!options.strings.empty()) request.strings = split_list(options.strings);
+  if (request.strings.empty() == options.n.empty())
+    throw Error("trie without --n or --strings, or with both", "it is of n random strings or of given ones",
+                "write --n 1000, or --strings 01001,01011,10011");
+  request.rule = {request.strings.empty() ? read_count("--n", options.n) : request.strings.size(),
+                  read_real("--p", options.p), read_real("--epsilon", options.epsilon)};
+  if (request.rule.n == 0) throw Error("--n 0", "a trie has one string at least", "take 1 or more");
+  request.seed = read_count("--seed", options.seed);
+  request.replicates = read_count("--replicates", options.replicates);
+  emit(options.nodes ? trie_node_table(request) : trie_zone_table(request), options.output);
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void add_trie(CLI::App& app, Session& session) {
+  auto options = std::make_shared<Options>();
+  auto* verb = app.add_subcommand(
+      "trie", "Cardinalities of a trie's nodes, and the zones of the proof that bounds its balance number");
+  verb->add_option("--p", options->p, "probability of bit 0, which is left")->capture_default_str();
+  verb->add_option("--n", options->n, "number of random strings");
+  verb->add_option("--strings", options->strings, "the strings themselves, 01001,01011,10011");
+  verb->add_option("--epsilon", options->epsilon,
+                   "zone A: n q >= n^epsilon, zone C: n q <= n^-epsilon, B between them")
+      ->capture_default_str();
+  verb->add_flag("--nodes", options->nodes, "a row for every node: path, strings through it, n q, zone");
+  verb->add_option("--replicates", options->replicates, "number of random tries")->capture_default_str();
+  verb->add_option("--seed", options->seed, "seed; the tries are those of sample --model \"trie(p)\"")
+      ->capture_default_str();
+  verb->add_option("-o,--output", options->output, "write the table to this file, in one step");
+  verb->footer("Example: ramify trie --strings 01001,01011,10011,10100,11100 --nodes");
+  verb->callback([&session, options] { session.work = [options] { return trie(*options); }; });
+}
+
+}  // namespace ramify::cli

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "ramify/statistic/trie_zones.hpp"
+
+namespace ramify {
+
+/// Tries to look at: given strings, or `replicates` of random ones.
+struct TrieRequest {
+  TrieZoneRule rule;                 ///< n: of the given strings, if there are
+  std::vector<std::string> strings;  ///< none: random ones
+  std::uint64_t seed = 1996;
+  std::uint64_t replicates = 1;
+};
+
+/// A row a trie: the zones of Theorem B.1 and what the proof bounds, with the bounds. Throws Error where p or
+/// epsilon is out of its domain.
+std::string trie_zone_table(const TrieRequest& request);
+
+/// A row a node of every trie, in preorder: path, level, strings (the cardinality C), n q, q and zone.
+std::string trie_node_table(const TrieRequest& request);
+
+}  // namespace ramify
