@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "ramify/text/known_columns.hpp"
 #include "ramify/text/located_error.hpp"
 
 namespace ramify {
