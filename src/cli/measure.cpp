@@ -116,7 +116,7 @@ void add_measure(CLI::App& app, Session& session) {
                    "orders, summary (a row a tree), nodes (a row a node) or json")
       ->capture_default_str();
   verb->add_option("-o,--out", options->out, "write the table to this file, in one step");
-  verb->footer("Example: ramify measure data/examples/birch.newick");
+  verb->footer("Example: ramify measure data/examples/sapling.newick");
   verb->callback([&session, options] {
     session.work = [&session, options] { return measure(*options, session.cancellation); };
   });
