@@ -26,7 +26,8 @@ TEST(Pages, EveryCommandOfTheProgramRuns) {
   const Scratch scratch;
   furnish(scratch);
   std::vector<std::filesystem::path> pages{std::filesystem::path(RAMIFY_SOURCE) / "README.md"};
-  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(RAMIFY_SOURCE) / "docs"))
+  for (const auto& entry :
+       std::filesystem::recursive_directory_iterator(std::filesystem::path(RAMIFY_SOURCE) / "docs"))
     if (entry.path().extension() == ".md") pages.push_back(entry.path());
   std::size_t count = 0;
   for (const auto& page : pages) {
