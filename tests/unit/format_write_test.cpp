@@ -60,7 +60,9 @@ TEST_P(Written, TreesOfEveryKindOfModelComeBack) {
                            "kary(4)", "branching(0.2,0.3,0.5)"}) {
     SCOPED_TRACE(text);
     const Model model = Model::parse(text);
-    const Size n = std::string_view(text).starts_with("branching") ? 8 : 300;
+    const bool by_levels =
+        std::string_view(text).starts_with("branching") || std::string_view(text).starts_with("kary");
+    const Size n = by_levels ? 5 : 300;
     std::vector<RecordedTree> trees;
     for (std::uint64_t replicate = 0; replicate < 4; ++replicate)
       trees.push_back(plain(grown(model, n, replicate)));
@@ -81,10 +83,10 @@ TEST(WrittenTables, KeepNamesLengthsAndRadii) {
     SCOPED_TRACE(name_of(format));
     const RecordedTree back = test::tree_of(write_trees({tree}, format));
     for (std::size_t node = 0; node < 5; ++node) {
-      if (node != 3) EXPECT_EQ(back.names[node], names[node]);
+      EXPECT_TRUE(back.names[node] == names[node] || node == 3) << node;
       EXPECT_TRUE(back.lengths[node] == tree.lengths[node] || node == 0) << node;
-      if (format != TreeFormat::newick)
-        EXPECT_TRUE(back.radii[node] == tree.radii[node] || node == 3) << node;
+      const bool has_radii = format != TreeFormat::newick;
+      EXPECT_TRUE(!has_radii || back.radii[node] == tree.radii[node] || node == 3) << node;
     }
     EXPECT_TRUE(std::isnan(back.lengths[0]));
   }

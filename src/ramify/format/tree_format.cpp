@@ -7,7 +7,6 @@
 #include <fmt/ranges.h>
 
 #include "ramify/core/nearest_name.hpp"
-#include "ramify/core/number.hpp"
 #include "ramify/format/delimited_rows.hpp"
 #include "ramify/format/tree_table.hpp"
 #include "ramify/text/trimmed.hpp"
@@ -18,8 +17,9 @@ namespace {
 constexpr std::array<std::string_view, 8> names{"newick", "swc",       "mtg",    "qsm",
                                                 "edges",  "flowlines", "parens", "json"};
 
-bool all_numbers(const std::vector<std::string_view>& fields) {
-  return std::ranges::all_of(fields, [](std::string_view field) { return parse_real(field).has_value(); });
+/// Numbers that do not fit a double are refused with their place, by a reader that knows what they are.
+bool looks_like_number(std::string_view field) {
+  return !field.empty() && field.find_first_not_of("0123456789+-.eE") == std::string_view::npos;
 }
 
 /// Words of E and parentheses, or Newick, which has other characters or ends with a semicolon.
@@ -42,10 +42,13 @@ std::optional<TreeFormat> format_of_table(const SourceText& source) {
         return TreeFormat::edges;
     }
   }
-  const std::size_t fields = rows.fields().size();
-  if (!all_numbers(rows.fields())) return std::nullopt;
-  if (fields >= 7) return TreeFormat::swc;
-  return fields >= 2 && fields <= 4 ? std::optional(TreeFormat::edges) : std::nullopt;
+  const auto& fields = rows.fields();
+  constexpr std::size_t swc_fields = 7;
+  if (fields.size() >= swc_fields && looks_like_number(fields[0]) && looks_like_number(fields[6]))
+    return TreeFormat::swc;
+  if (fields.size() < 2 || fields.size() > 4 || !std::ranges::all_of(fields, looks_like_number))
+    return std::nullopt;
+  return TreeFormat::edges;
 }
 
 Error unknown_format(const SourceText& source, std::size_t place, std::string_view why) {
@@ -88,12 +91,11 @@ TreeFormat detect_tree_format(const SourceText& source) {
   if (begin.front() == '{') return TreeFormat::json;
   if (begin.front() == '(') return format_of_parentheses(begin);
   if (begin.front() == '[' || begin.front() == '\'') return TreeFormat::newick;
-  if (trimmed(begin.substr(0, begin.find_first_of("\r\n"))) == "E") return TreeFormat::parens;
+  const std::string_view first_line = trimmed(begin.substr(0, begin.find_first_of("\r\n")));
+  if (first_line == "E") return TreeFormat::parens;
   if (begin.starts_with("CODE") && head.find("FORM-") != std::string_view::npos) return TreeFormat::mtg;
   if (const auto table = format_of_table(source)) return *table;
-  // A leaf alone: "A:1;".
-  if (trimmed(begin).ends_with(';') && begin.find_first_of("\r\n") >= trimmed(begin).size())
-    return TreeFormat::newick;
+  if (first_line.ends_with(';')) return TreeFormat::newick;  // a leaf alone
   throw unknown_format(source, first, "its beginning is that of no known format");
 }
 
