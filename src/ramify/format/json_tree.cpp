@@ -104,6 +104,11 @@ class ObjectReader {
   std::string_view line_;
 };
 
+/// JSON is UTF-8: bytes that are not are replaced by U+FFFD.
+std::string json_text(std::string_view text) {
+  return Json(std::string(text)).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 void append_numbers(std::string& text, std::string_view key, const std::vector<double>& values) {
   if (values.empty()) return;
   text += fmt::format(",\"{}\":[", key);
@@ -136,7 +141,7 @@ std::string write_json_tree(const RecordedTree& recorded) {
     parents[child] = static_cast<std::int64_t>(parent);
   });
   std::string text = "{";
-  if (!recorded.name.empty()) text += "\"name\":" + Json(recorded.name).dump() + ',';
+  if (!recorded.name.empty()) text += "\"name\":" + json_text(recorded.name) + ',';
   text += fmt::format("\"parent\":[{}]", fmt::join(parents, ","));
   append_numbers(text, "length", recorded.lengths);
   append_numbers(text, "radius", recorded.radii);
@@ -144,7 +149,7 @@ std::string write_json_tree(const RecordedTree& recorded) {
     text += ",\"label\":[";
     for (std::size_t node = 0; node < parents.size(); ++node) {
       if (node > 0) text += ',';
-      text += Json(std::string(recorded.names[node])).dump();
+      text += json_text(recorded.names[node]);
     }
     text += ']';
   }

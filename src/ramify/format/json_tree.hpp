@@ -18,7 +18,7 @@ namespace ramify {
 /// in preorder. O(size).
 std::vector<RecordedTree> read_json_trees(SourceText source);
 
-/// One such line. Nothing of a tree is lost. O(nodes).
+/// One such line. Nothing of a tree is lost, but bytes in names that are no UTF-8. O(nodes).
 std::string write_json_tree(const RecordedTree& tree);
 
 }  // namespace ramify
