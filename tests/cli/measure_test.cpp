@@ -87,8 +87,8 @@ TEST(Measure, JsonHasEverything) {
   const auto tree = nlohmann::json::parse(ran.out).at(0);
   EXPECT_EQ(tree.at("statistics").at("streams"), (std::vector<int>{8, 3, 1}));
   EXPECT_EQ(tree.at("statistics").at("ramification").at(1).size(), 3u);
-  EXPECT_NEAR(tree.at("ratios").at("streams").at("mean_ratio").get<double>(), (8.0 / 3 + 3) / 2, 1e-9);
-  EXPECT_NEAR(tree.at("ratios").at("streams").at("pooled_ratio").get<double>(), 11.0 / 4, 1e-9);
+  EXPECT_NEAR(tree.at("streams_ratio_estimators").at("mean_ratio").get<double>(), (8.0 / 3 + 3) / 2, 1e-9);
+  EXPECT_NEAR(tree.at("streams_ratio_estimators").at("pooled_ratio").get<double>(), 11.0 / 4, 1e-9);
   EXPECT_NEAR(tree.at("murray").at("exponent").get<double>(), 3, 0.01);
   EXPECT_NEAR(tree.at("stream_length_law").at("geometric").get<double>(), std::sqrt(195 / 27.125), 1e-8);
 }
