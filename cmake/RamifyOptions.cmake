@@ -22,6 +22,13 @@ if(RAMIFY_SANITIZE)
   add_link_options(-fsanitize=${RAMIFY_SANITIZE})
 endif()
 
+if(RAMIFY_FUZZ)
+  if(NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+    message(FATAL_ERROR "RAMIFY_FUZZ needs clang, which has libFuzzer: configure with --preset fuzz")
+  endif()
+  add_compile_options(-fsanitize=fuzzer-no-link)
+endif()
+
 find_program(RAMIFY_CCACHE ccache)
 if(RAMIFY_CCACHE)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${RAMIFY_CCACHE})

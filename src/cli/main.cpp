@@ -60,6 +60,7 @@ int run_program(int argc, char** argv) {
   cli::add_list(app, session);
   cli::add_sample(app, session);
   cli::add_law(app, session);
+  cli::add_measure(app, session);
   cli::add_test(app, session);
   cli::add_trie(app, session);
   cli::add_theory(app, session);

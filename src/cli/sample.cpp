@@ -6,9 +6,12 @@
 
 #include "session.hpp"
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "ramify/core/nearest_name.hpp"
 #include "ramify/core/number.hpp"
 #include "ramify/experiment/tree_batch.hpp"
+#include "ramify/format/write_trees.hpp"
 #include "ramify/io/csv_writer.hpp"
 #include "ramify/io/read_count.hpp"
 #include "ramify/model/preset.hpp"
@@ -58,6 +61,17 @@ SizedModel read_model(const Options& options) {
   return {Model::parse(preset.model), options.n.empty() ? preset.n : read_count("--n", options.n)};
 }
 
+TreeFormat tree_format(const std::string& name) {
+  std::vector<std::string> names{"csv"};
+  for (const TreeFormat format : written_formats()) {
+    if (name == name_of(format)) return format;
+    names.emplace_back(name_of(format));
+  }
+  throw Error(fmt::format("--format {}", name), "not a format that sample writes",
+              fmt::format("{}take csv (statistics) or one of the trees: {}", did_you_mean(name, names),
+                          fmt::join(names.begin() + 1, names.end(), ", ")));
+}
+
 ExitCode sample(const Options& options, const Cancellation& cancellation) {
   const auto [model, n] = read_model(options);
   model.require_size(n);
@@ -70,12 +84,10 @@ ExitCode sample(const Options& options, const Cancellation& cancellation) {
     require_consent(trees * GraftRule(model, sampling_method(statistics, batch.graft)).grown_nodes(n),
                     options.yes);
     emit(batch.table(statistics, range.first, range.last, cancellation), options.output);
-  } else if (options.format == "parens") {
-    require_consent(trees * static_cast<double>(n), options.yes);
-    emit(batch.words(range.first, range.last, cancellation), options.output);
   } else {
-    throw Error(fmt::format("--format {}", options.format), "not a format that sample writes",
-                "take csv (statistics) or parens (the trees, as E and (LR))");
+    const TreeFormat format = tree_format(options.format);
+    require_consent(trees * static_cast<double>(n), options.yes);
+    emit(batch.trees(format, range.first, range.last, cancellation), options.output);
   }
   return ExitCode::done;
 }
@@ -96,7 +108,9 @@ void add_sample(CLI::App& app, Session& session) {
   verb->add_option("--seed", options->seed, "seed")->capture_default_str();
   verb->add_option("--statistics", options->statistics, "comma-separated; see: ramify list statistics")
       ->capture_default_str();
-  verb->add_option("--format", options->format, "csv or parens")->capture_default_str();
+  verb->add_option("--format", options->format,
+                   "csv: statistics; newick, edges, swc, parens, json: the trees")
+      ->capture_default_str();
   verb->add_option("--threads", options->threads,
                    "threads; all cores if left out. The result does not depend on it");
   verb->add_flag("--no-graft", options->no_graft,

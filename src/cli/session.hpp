@@ -24,6 +24,7 @@ void add_list(CLI::App& app, Session& session);
 void add_sample(CLI::App& app, Session& session);
 void add_law(CLI::App& app, Session& session);
 void add_test(CLI::App& app, Session& session);
+void add_measure(CLI::App& app, Session& session);
 void add_trie(CLI::App& app, Session& session);
 void add_theory(CLI::App& app, Session& session);
 void add_run(CLI::App& app, Session& session);

@@ -5,41 +5,24 @@
 
 #include "ramify/core/number.hpp"
 #include "ramify/experiment/tree_comparison.hpp"
+#include "ramify/format/contract_unary.hpp"
+#include "ramify/format/read_trees.hpp"
 #include "ramify/io/csv_writer.hpp"
 #include "ramify/io/read_count.hpp"
-#include "ramify/text/text_file.hpp"
-#include "ramify/text/trimmed.hpp"
-#include "ramify/tree/parenthesis_word.hpp"
 
 namespace ramify::cli {
 namespace {
 
 struct Options {
   std::vector<std::string> files;
-  std::string model, seed = "1996", replicates = "1999", threads, output;
+  std::string model, format = "auto", root, seed = "1996", replicates = "1999", threads, output;
 };
 
-struct NamedTree {
-  std::string name;
-  Tree tree;
-};
-
-/// One tree a line; named by the file, and by the line where there are several.
-std::vector<NamedTree> read_trees(const std::string& file) {
-  const std::string text = read_text_file(file);
-  std::vector<NamedTree> trees;
-  std::size_t line = 0;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    const std::string_view word = trimmed(std::string_view(text).substr(begin, end - begin));
-    const std::string name = fmt::format("{}:{}", file, ++line);
-    if (!word.empty()) trees.push_back({name, from_parentheses(word, name)});
-    begin = end + 1;
-  }
-  if (trees.empty())
-    throw Error(fmt::format("{}: no tree", file), "a tree is a line of E and (LR)",
-                "write one, such as ((EE)E); ramify sample --format parens prints them");
-  if (trees.size() == 1) trees.front().name = file;
+/// The trees of a file, without one-child nodes where those of the model have none.
+std::vector<RecordedTree> trees_for(const Model& model, const Options& options, const std::string& file) {
+  auto trees = read_trees(read_tree_file(file), file, parse_tree_format(options.format), {options.root, 0});
+  if (model.is_split())
+    for (RecordedTree& tree : trees) tree = contract_unary(std::move(tree));
   return trees;
 }
 
@@ -55,11 +38,11 @@ ExitCode test(const Options& options, const Cancellation& cancellation) {
                   "standard_error", "method"});
   TreeComparison compare(model, simulation, cancellation);
   for (const auto& file : options.files)
-    for (const auto& [name, tree] : read_trees(file))
-      for (const auto& row : compare(tree, name))
-        table.add({name, model.text(), row.name, format_summary(row.observed), format_summary(row.expected),
-                   format_summary(row.p_value), format_summary(row.effect()), format_summary(row.adjusted_p),
-                   format_summary(row.deviation),
+    for (const RecordedTree& tree : trees_for(model, options, file))
+      for (const auto& row : compare(tree.tree, tree.name))
+        table.add({tree.name, model.text(), row.name, format_summary(row.observed),
+                   format_summary(row.expected), format_summary(row.p_value), format_summary(row.effect()),
+                   format_summary(row.adjusted_p), format_summary(row.deviation),
                    row.exact ? "exact law" : fmt::format("{} trees", simulation.trees)});
   emit(table.text(), options.output);
   return ExitCode::done;
@@ -71,7 +54,11 @@ void add_test(CLI::App& app, Session& session) {
   auto options = std::make_shared<Options>();
   auto* verb = app.add_subcommand(
       "test", "Is a tree like trees of a model? Its statistics beside theirs, with p-values");
-  verb->add_option("TREE", options->files, "files of trees as words of E and (LR), one a line")->required();
+  verb->add_option("TREE", options->files, "files of trees; - is standard input")->required();
+  verb->add_option("--format", options->format,
+                   "newick, swc, mtg, qsm, edges, flowlines, parens or json; auto: found by content")
+      ->capture_default_str();
+  verb->add_option("--root", options->root, "of a table: the id of the root, all, or neurites");
   verb->add_option("--model", options->model,
                    "model, such as bst or \"beta(10,80)\"; see: ramify list models")
       ->required();

@@ -14,10 +14,10 @@ TEST_P(Verb, HasHelpWithAnExample) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Verbs, Verb,
-                         testing::Values("list", "sample", "law", "theory", "run", "reproduce", "fit"));
+                         testing::Values("list", "sample", "law", "measure", "test", "theory", "run", "reproduce", "fit"));
 
 TEST(Help, ExamplesOfQuickVerbsRun) {
-  for (const char* verb : {"list", "sample", "law", "theory"}) {
+  for (const char* verb : {"list", "sample", "law", "measure", "theory"}) {
     const std::string help = ramify(std::string(verb) + " --help").out;
     const auto begin = help.find("Example: ramify ") + 16;
     const std::string example = help.substr(begin, help.find('\n', begin) - begin);

@@ -26,7 +26,8 @@ TEST(Pages, EveryCommandOfTheProgramRuns) {
   const Scratch scratch;
   furnish(scratch);
   std::vector<std::filesystem::path> pages{std::filesystem::path(RAMIFY_SOURCE) / "README.md"};
-  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(RAMIFY_SOURCE) / "docs"))
+  for (const auto& entry :
+       std::filesystem::recursive_directory_iterator(std::filesystem::path(RAMIFY_SOURCE) / "docs"))
     if (entry.path().extension() == ".md") pages.push_back(entry.path());
   std::size_t count = 0;
   for (const auto& page : pages) {
@@ -54,6 +55,49 @@ TEST(Pages, TheCoverageTableIsTheProgramsOwn) {
   ASSERT_GT(count_lines(ran.out), 20u);
   EXPECT_NE(page.find("```\n" + ran.out + "```\n"), std::string::npos)
       << "put what `ramify list coverage` prints into docs/coverage.md";
+}
+
+std::vector<std::string> split(const std::string& line, const std::string& by) {
+  std::vector<std::string> parts;
+  std::size_t begin = 0;
+  for (std::size_t end; (end = line.find(by, begin)) != std::string::npos; begin = end + by.size())
+    parts.push_back(line.substr(begin, end - begin));
+  parts.push_back(line.substr(begin));
+  return parts;
+}
+
+/// The column of a table of one row; "-" where it is empty or not there.
+std::string only_value(const std::string& table, const std::string& column) {
+  const auto lines = split(table, "\n");
+  const auto names = split(lines[0], ","), values = split(lines[1], ",");
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (names[i] == column) return values[i].empty() ? "-" : values[i];
+  return "-";
+}
+
+// | statistic | columns | trees | n = 0 | n = 1 | n = 2 | normalised | source |
+TEST(Pages, TheStatisticsOfSmallTreesAreThoseMeasured) {
+  const std::string page = read_file(std::string(RAMIFY_SOURCE) + "/docs/coverage.md");
+  std::size_t statistics = 0;
+  for (const std::string& line : split(page, "\n")) {
+    const auto cells = split(line, " | ");
+    if (!line.starts_with("| ") || cells.size() != 8 || cells[0] == "| statistic" || cells[0] == "| ---")
+      continue;
+    const std::string name = cells[0].substr(2);
+    const bool by_order = name == "nodes" || name == "streams";
+    const std::string column = by_order                 ? name + "_1"
+                               : name == "ramification" ? name + "_1_1"
+                                                        : split(cells[1], "..")[0];
+    ++statistics;
+    if (cells[5].find(" or ") != std::string::npos) continue;
+    for (const int n : {0, 1, 2})
+      EXPECT_EQ(
+          only_value(ramify("sample --model bst --n " + std::to_string(n) + " --statistics " + name).out,
+                     column),
+          cells[3 + static_cast<std::size_t>(n)])
+          << name << ", n = " << n;
+  }
+  EXPECT_EQ(statistics + 1, count_lines(ramify("list statistics").out));
 }
 
 TEST(Readme, TheScriptsItNamesAreThere) {

@@ -75,9 +75,9 @@ TEST(FitData, LungTable) {
 
 TEST(FitData, HortonSize) {
   // The complete binary tree: 1 + 2 + 4 + 8; the apple: 464.7.
-  EXPECT_EQ(horton_size(2, 4), 15u);
-  EXPECT_EQ(horton_size(4.35, 5), 465u);
-  EXPECT_EQ(horton_size(1000, 60), max_size);
+  EXPECT_EQ(whole_horton_size(2, 4), 15u);
+  EXPECT_EQ(whole_horton_size(4.35, 5), 465u);
+  EXPECT_EQ(whole_horton_size(1000, 60), max_size);
 }
 
 TEST(FitData, CountTable) {

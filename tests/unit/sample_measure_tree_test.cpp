@@ -67,7 +67,7 @@ TEST(MeasureTree, SeesTheOrdersThatAreAskedForAlone) {
     const Model model = Model::parse(text);
     Stream stream({7, 8}, 9);
     const Tree tree = model.grown().grow(static_cast<Size>(n), stream, never);
-    const TreeMeasures all = measure_tree(tree, {7, 8}, 9), orders = measure_orders(tree);
+    const TreeMeasures all = measure_tree(tree, {7, 8}, 9), orders = measure_orders_and_height(tree);
     EXPECT_EQ(orders.size, all.size) << text;
     EXPECT_EQ(orders.strahler, all.strahler) << text;
     EXPECT_EQ(orders.height, all.height) << text;

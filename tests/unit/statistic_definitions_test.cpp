@@ -65,6 +65,15 @@ void define_orders(const test::Shape& shape, Values& values) {
   };
   define_ratios("nodes", nodes, values);
   define_ratios("streams", streams, values);
+  if (nodes.size() > 1) {
+    const double ratio = test::mean_ratio(nodes);
+    double size = 0;
+    for (std::size_t i = 1; i < nodes.size(); ++i)
+      size += std::pow(ratio, static_cast<double>(nodes.size() - 1 - i));
+    values["horton_size"] = size;
+    const double n = static_cast<double>(test::internal_nodes(shape));
+    values["horton_order"] = ratio == 1 ? n : std::log(n * (ratio - 1) + 1) / std::log(ratio);
+  }
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     values[fmt::format("nodes_{}", i)] = static_cast<double>(nodes[i]);
     values[fmt::format("streams_{}", i)] = static_cast<double>(streams[i]);

@@ -5,6 +5,7 @@
 #include "support/shape.hpp"
 #include <gtest/gtest.h>
 
+#include "ramify/statistic/horton_law.hpp"
 #include "ramify/statistic/order_ratios.hpp"
 
 namespace ramify {
@@ -55,6 +56,18 @@ TEST(OrderRatios, OfTheAppleDifferForNodesAndStreams) {
   EXPECT_NEAR(nodes.mean_ratio, 3.332, 0.0005);
   EXPECT_NEAR(streams.mean_ratio, 3.602, 0.0005);
   EXPECT_NEAR(streams.regression, 3.683, 0.0005);
+}
+
+// B12, H5: the apple of R = 4.35 and order 5 has 464.6 branches (464.7 in H5); with 579 the order is 5.15.
+TEST(HortonLaw, TurnsOrderIntoSizeAndBack) {
+  EXPECT_NEAR(horton_size(4.35, 5), 464.646, 0.001);
+  EXPECT_NEAR(horton_order(4.35, 579), 5.15, 0.005);
+  for (const double ratio : {0.9, 1.0, 1.0 + 1e-9, 2.0, 4.35})
+    for (const double order : {1.0, 3.0, 7.5})
+      EXPECT_NEAR(horton_order(ratio, horton_size(ratio, order)), order, 1e-12 * order);
+  EXPECT_EQ(horton_size(2, 10), 1023);  // complete
+  EXPECT_TRUE(std::isnan(horton_order(0.5, 3)));
+  EXPECT_TRUE(std::isnan(horton_size(0, 3)));
 }
 
 TEST(OrderRatios, AreTheDefinitionOnEveryTreeToSevenNodes) {

@@ -3,14 +3,16 @@
 #include <memory>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "ramify/core/error.hpp"
 #include "ramify/core/number.hpp"
 #include "ramify/core/parallel.hpp"
+#include "ramify/format/write_trees.hpp"
 #include "ramify/io/csv_writer.hpp"
 #include "ramify/model/split_tree.hpp"
 #include "ramify/random/stream.hpp"
 #include "ramify/sample/tree_sampler.hpp"
-#include "ramify/tree/parenthesis_word.hpp"
 #include "ramify/tree/store.hpp"
 
 namespace ramify {
@@ -56,30 +58,30 @@ std::string TreeBatch::table(const StatisticSet& statistics, std::uint64_t first
   return table.text();
 }
 
-std::string TreeBatch::words(std::uint64_t first, std::uint64_t last,
+std::string TreeBatch::trees(TreeFormat format, std::uint64_t first, std::uint64_t last,
                              const Cancellation& cancellation) const {
   const StreamKey key{seed, model.stream_cell(n)};
-  std::vector<std::string> lines(last - first);
-  const auto write_each = [&](auto grow) {
-    parallel_for(lines.size(), threads, [&](std::size_t item, unsigned) {
+  std::vector<RecordedTree> trees(last - first);
+  const auto grow_each = [&](auto grow) {
+    parallel_for(trees.size(), threads, [&](std::size_t item, unsigned) {
       if (cancellation.requested()) throw Interrupted();
       Stream stream(key, first + item);
-      lines[item] = to_parentheses(grow(stream));
+      trees[item].tree = grow(stream);
+      trees[item].name =
+          fmt::format("{}, n = {}, seed {}, replicate {}", model.text(), n, seed, first + item);
     });
   };
   if (model.is_split()) {
     std::visit(
         [&]<class Law>(const Law& law) {
           const SplitTree<Law> grammar(law);
-          write_each([&](Stream& stream) { return grow_tree(grammar, n, stream); });
+          grow_each([&](Stream& stream) { return grow_tree(grammar, n, stream); });
         },
         model.law());
   } else {
-    write_each([&](Stream& stream) { return model.grown().grow(n, stream, cancellation); });
+    grow_each([&](Stream& stream) { return model.grown().grow(n, stream, cancellation); });
   }
-  std::string text;
-  for (const auto& line : lines) text.append(line).push_back('\n');
-  return text;
+  return write_trees(trees, format);
 }
 
 }  // namespace ramify

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "ramify/core/cancellation.hpp"
+#include "ramify/format/tree_format.hpp"
 #include "ramify/model/registry.hpp"
 #include "ramify/statistic/registry.hpp"
 
@@ -17,14 +18,16 @@ struct TreeBatch {
   Size n;
   std::uint64_t seed;
   unsigned threads;
-  bool graft;  ///< of tables; words are always grown whole
+  bool graft;  ///< of tables; trees that are written are always grown whole
 
   /// CSV: model,n,seed,replicate, then the chosen statistics of replicates first..last-1.
   std::string table(const StatisticSet& statistics, std::uint64_t first, std::uint64_t last,
                     const Cancellation& cancellation) const;
 
-  /// The trees themselves, one parenthesis word a line: those of the table without grafts.
-  std::string words(std::uint64_t first, std::uint64_t last, const Cancellation& cancellation) const;
+  /// The trees themselves: those of the table without grafts.
+  /// @param format  one of written_formats()
+  std::string trees(TreeFormat format, std::uint64_t first, std::uint64_t last,
+                    const Cancellation& cancellation) const;
 };
 
 }  // namespace ramify

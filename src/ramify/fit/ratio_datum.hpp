@@ -55,8 +55,7 @@ std::vector<RatioDatum> read_ratio_data(const std::filesystem::path& path);
 /// The same from text; name is used in messages, and names the datum of a count table.
 std::vector<RatioDatum> parse_ratio_data(std::string_view text, std::string_view name);
 
-/// The size of a tree that obeys Horton's first law with orders 1..S: (R^S - 1)/(R - 1), rounded (B12, H5).
-/// Infinite values are cut at 2^62. R > 1, S >= 1
-Size horton_size(double ratio, std::uint64_t orders);
+/// horton_size rounded; values above 2^62 are cut there (H5). R > 1, S >= 1
+Size whole_horton_size(double ratio, std::uint64_t orders);
 
 }  // namespace ramify

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "ramify/text/known_columns.hpp"
 #include "ramify/text/located_error.hpp"
 
 namespace ramify {
@@ -78,8 +79,8 @@ std::vector<SizeChoice> sizes_at(const CsvData& table, std::size_t row, double r
   }
   for (const auto& order : {low, low == high ? std::nullopt : high})
     if (order)
-      sizes.push_back(
-          {horton_size(ratio, *order), "horton", fmt::format("n = (R^{0} - 1)/(R - 1), order {0}", *order)});
+      sizes.push_back({whole_horton_size(ratio, *order), "horton",
+                       fmt::format("n = (R^{0} - 1)/(R - 1), order {0}", *order)});
   return sizes;
 }
 

@@ -13,7 +13,4 @@ std::vector<RatioDatum> parse_ratio_table(const CsvData& table);
 /// The one datum of a table of stream counts: R = mean ratio, n = N_1 - 1. Throws Error.
 RatioDatum parse_order_table(const CsvData& table);
 
-/// Throws Error for a column that is not among the known ones, naming the nearest.
-void require_known_columns(const CsvData& table, const std::vector<std::string>& known);
-
 }  // namespace ramify

@@ -12,7 +12,7 @@ class GrownSampler final : public TreeSampler {
   void sample(Size n, StreamKey key, std::uint64_t replicate, TreeMeasures& measures) override {
     Stream stream(key, replicate);
     const Tree tree = order_.model.grown().grow(n, stream, *order_.cancellation);
-    measures = reads_orders_alone() ? measure_orders(tree) : measure_tree(tree, key, replicate);
+    measures = reads_orders_alone() ? measure_orders_and_height(tree) : measure_tree(tree, key, replicate);
   }
 
   std::unique_ptr<TreeSampler> clone() const override { return std::make_unique<GrownSampler>(order_); }

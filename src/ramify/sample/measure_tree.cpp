@@ -20,7 +20,7 @@ TreeMeasures measure_tree(const Tree& tree, StreamKey key, std::uint64_t replica
   return measure_by(make_fold<MeasuredFold>(key, replicate), tree);
 }
 
-TreeMeasures measure_orders(const Tree& tree) {
+TreeMeasures measure_orders_and_height(const Tree& tree) {
   return measure_by(LeanFold(), tree);
 }
 

@@ -12,6 +12,6 @@ namespace ramify {
 TreeMeasures measure_tree(const Tree& tree, StreamKey key, std::uint64_t replicate);
 
 /// Order, height and counts of nodes and streams alone, in a third of the time. tree: as of measure_tree.
-TreeMeasures measure_orders(const Tree& tree);
+TreeMeasures measure_orders_and_height(const Tree& tree);
 
 }  // namespace ramify

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
-#include <vector>
 
 #include "ramify/tree/grammar.hpp"
 
@@ -46,14 +44,18 @@ class BalanceByLeaves {
   Value external() const { return {1, 0}; }
 
   template <class Label, class Labels, class Values>
-  Value join(const Label& label, const Labels&, const Values& below) const {
-    std::vector<Size> leaves;
-    std::vector<std::uint8_t> balances;
+  Value join(const Label&, const Labels&, const Values& below) const {
+    Size leaves = 0, smallest = below[0].leaves;
     for (const Value& child : below) {
-      leaves.push_back(child.leaves);
-      balances.push_back(child.balance);
+      leaves += child.leaves;
+      smallest = std::min(smallest, child.leaves);
     }
-    return {std::accumulate(leaves.begin(), leaves.end(), Size{0}), Balance().join(label, leaves, balances)};
+    std::uint8_t best = 0;
+    for (const Value& child : below) {
+      const bool counts = below.size() > 1 && child.leaves == smallest;
+      best = std::max(best, static_cast<std::uint8_t>(child.balance + (counts ? 1 : 0)));
+    }
+    return {leaves, best};
   }
 };
 

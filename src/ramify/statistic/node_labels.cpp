@@ -4,6 +4,7 @@
 
 #include "ramify/statistic/height.hpp"
 #include "ramify/statistic/strahler.hpp"
+#include "ramify/tree/each_edge.hpp"
 #include "ramify/tree/measure.hpp"
 
 namespace ramify {
@@ -27,24 +28,6 @@ std::vector<typename F::Value> values_of_nodes(const Tree& tree) {
   F fold;
   measure(tree, fold, [&](std::size_t node, const auto& value) { values[node] = value; });
   return values;
-}
-
-/// Calls visit(parent, child) for every edge, parents first, the children of a node in their order.
-template <class Visit>
-void each_edge(const Tree& tree, Visit visit) {
-  struct Open {
-    std::size_t node;
-    std::uint32_t missing;
-  };
-  std::vector<Open> path;
-  for (std::size_t node = 0; node < tree.node_count(); ++node) {
-    if (!path.empty()) {
-      visit(path.back().node, node);
-      --path.back().missing;
-    }
-    path.push_back({node, tree.arity(node)});
-    while (!path.empty() && path.back().missing == 0) path.pop_back();
-  }
 }
 
 /// Whether each node goes on with the main branch of its parent: the first of those with the largest rank.

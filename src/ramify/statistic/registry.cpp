@@ -7,6 +7,7 @@
 
 #include "ramify/core/error.hpp"
 #include "ramify/core/find_named.hpp"
+#include "ramify/statistic/horton_law.hpp"
 #include "ramify/statistic/horton_strahler.hpp"
 #include "ramify/statistic/order_ratios.hpp"
 
@@ -49,6 +50,18 @@ StatisticValue number(const TreeMeasures& m, OrderPlace) {
 template <HortonStrahler::Counts TreeMeasures::* counts>
 StatisticValue count(const TreeMeasures& m, OrderPlace order) {
   return whole((m.*counts)[order.high]);
+}
+
+/// Horton's first law at the tree's own mean ratio of nodes: how many nodes it gives a tree of its order, and
+/// what order a tree of its size.
+double own_ratio(const TreeMeasures& m) {
+  return order_ratios(std::span(m.nodes).first(m.strahler + 1u)).mean_ratio;
+}
+StatisticValue size_by_horton(const TreeMeasures& m, OrderPlace) {
+  return real(horton_size(own_ratio(m), m.strahler));
+}
+StatisticValue order_by_horton(const TreeMeasures& m, OrderPlace) {
+  return real(horton_order(own_ratio(m), static_cast<double>(m.size)));
 }
 
 StatisticValue cherries(const TreeMeasures& m, OrderPlace) {
@@ -114,8 +127,8 @@ const std::vector<StatisticInfo>& statistics() {
       whole_number("size", "internal nodes", "n, counted on the tree", "B1", Measure::size, number<&M::size>),
       whole_number("magnitude", "external nodes", "Shreve magnitude: n+1 in a binary tree", "B2",
                    Measure::counts, count<&M::streams>),
-      whole_number("strahler", leaf_order_0, "Horton-Strahler number: order of the root", "B6",
-                   Measure::strahler, number<&M::strahler>),
+      {"strahler", leaf_order_0, "Horton-Strahler number: order of the root", "B6", false, Columns::one,
+       Measure::strahler, number<&M::strahler>, false, true},
       whole_number("registers", "registers, one at least",
                    "fewest that evaluate the tree as an expression: Horton-Strahler number + 1", "B21",
                    Measure::strahler, number<&M::strahler, 1>),
@@ -161,6 +174,11 @@ const std::vector<StatisticInfo>& statistics() {
                  ratio<&M::streams, &R::regression>),
       tree_ratio("streams_geometric", "streams, within one tree", "(M_0/M_S)^(1/S)",
                  ratio<&M::streams, &R::geometric>),
+      {"horton_size", "internal nodes, nodes_mean_ratio R", "(R^S - 1)/(R - 1): n by Horton's first law",
+       "B12", true, Columns::one, Measure::counts, size_by_horton},
+      {"horton_order", "leaf order 0, nodes_mean_ratio R",
+       "log(n(R - 1) + 1)/log R: the Horton-Strahler number by Horton's first law", "B12", true, Columns::one,
+       Measure::counts, order_by_horton, false, true},
       by_orders("nodes_ratio", "N_(k-1)/N_k", "B10", Columns::upper_orders, Measure::counts,
                 order_ratio<&M::nodes>),
       by_orders("streams_ratio", "M_(k-1)/M_k", "B10", Columns::upper_orders, Measure::counts,

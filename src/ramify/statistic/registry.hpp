@@ -57,6 +57,7 @@ struct StatisticInfo {
   Measure measure;  ///< what it is read off
   StatisticValue (*value)(const TreeMeasures&, OrderPlace place);
   bool needs_binary = false;  ///< says nothing of nodes with three children or more
+  bool is_order = false;      ///< its value is an order, leaf order 0
 
   /// "strahler", or "nodes_0..nodes_K".
   std::string columns() const;

@@ -10,6 +10,23 @@
 
 namespace ramify {
 
+namespace detail {
+
+/// Two children, which most nodes have, are handed over as in a growing tree: folds then need no memory.
+template <class F>
+typename F::Value join(F& fold, Size size, std::span<const Size> sizes,
+                       std::span<const typename F::Value> values) {
+  constexpr bool takes_pairs =
+      requires { fold.join(size, Pair<Size>{}, Pair<typename F::Value>{values[0], values[1]}); };
+  if constexpr (takes_pairs) {
+    if (sizes.size() == 2)
+      return fold.join(size, Pair<Size>{sizes[0], sizes[1]}, Pair<typename F::Value>{values[0], values[1]});
+  }
+  return fold.join(size, sizes, values);
+}
+
+}  // namespace detail
+
 /// Folds a stored tree of any arity; labels are sizes (internal nodes of the subtree).
 ///
 /// @param tree   at least one node
@@ -39,7 +56,7 @@ typename F::Value measure(const Tree& tree, F& fold, Visit visit) {
     const std::span<const Size> child_sizes(sizes.data() + first, children);
     const std::span<const Value> child_values(values.data() + first, children);
     const Size size = 1 + std::accumulate(child_sizes.begin(), child_sizes.end(), Size{0});
-    const Value value = fold.join(size, child_sizes, child_values);
+    const Value value = detail::join(fold, size, child_sizes, child_values);
     sizes.resize(static_cast<std::size_t>(first));
     values.resize(static_cast<std::size_t>(first));
     sizes.push_back(size);

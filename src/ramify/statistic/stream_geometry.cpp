@@ -1,0 +1,137 @@
+#include "ramify/statistic/stream_geometry.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "ramify/statistic/strahler.hpp"
+
+namespace ramify {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+/// The pieces of a stream that were met so far.
+struct Stream {
+  std::uint8_t order = 0;
+  bool has_length = false;
+  double length = 0, weighted = 0, weight = 0, radii = 0;
+  std::uint32_t radius_count = 0;
+
+  void add(double piece, double radius) {
+    if (!std::isnan(piece)) {
+      has_length = true;
+      length += piece;
+    }
+    if (std::isnan(radius)) return;
+    radii += radius;
+    ++radius_count;
+    if (piece > 0) {
+      weighted += piece * radius;
+      weight += piece;
+    }
+  }
+
+  double radius() const {
+    if (radius_count == 0) return none;
+    return weight > 0 ? weighted / weight : radii / radius_count;
+  }
+};
+
+/// Sums over the streams of every order.
+class OrderSums {
+ public:
+  void add(const Stream& stream) {
+    if (sums_.size() <= stream.order) sums_.resize(stream.order + std::size_t{1});
+    Sums& sums = sums_[stream.order];
+    if (stream.has_length) {
+      sums.length += stream.length;
+      ++sums.lengths;
+    }
+    if (const double radius = stream.radius(); !std::isnan(radius)) {
+      sums.radius += radius;
+      ++sums.radii;
+    }
+  }
+
+  std::vector<double> mean_lengths() const {
+    std::vector<double> means;
+    for (const Sums& sums : sums_) means.push_back(sums.lengths > 0 ? sums.length / sums.lengths : none);
+    return means;
+  }
+  std::vector<double> mean_radii() const {
+    std::vector<double> means;
+    for (const Sums& sums : sums_) means.push_back(sums.radii > 0 ? sums.radius / sums.radii : none);
+    return means;
+  }
+
+ private:
+  struct Sums {
+    double length = 0, lengths = 0, radius = 0, radii = 0;
+  };
+  std::vector<Sums> sums_;
+};
+
+/// The stream that goes on above a fork: that of its highest child, unless two are as high. The others end.
+Stream join(std::span<const Stream> below, OrderSums& sums) {
+  const auto highest = std::ranges::max_element(below, {}, &Stream::order);
+  const auto as_high = std::ranges::count(below, highest->order, &Stream::order);
+  Stream above;
+  if (as_high == 1) {
+    above = *highest;
+  } else {
+    above.order = static_cast<std::uint8_t>(highest->order + 1);
+  }
+  for (auto child = below.begin(); child != below.end(); ++child)
+    if (as_high > 1 || child != highest) sums.add(*child);
+  return above;
+}
+
+}  // namespace
+
+StreamGeometry stream_geometry(const Tree& tree, std::span<const double> lengths,
+                               std::span<const double> radii) {
+  RAMIFY_EXPECTS(tree.node_count() > 0);
+  OrderSums sums;
+  std::vector<Stream> streams;  // of the subtrees that were met, as in measure.hpp
+  for (std::size_t node = tree.node_count(); node-- > 0;) {
+    const std::size_t children = tree.arity(node);
+    Stream stream;
+    if (children > 0) {
+      const std::size_t first = streams.size() - children;
+      stream = join(std::span(streams).subspan(first), sums);
+      streams.resize(first);
+    }
+    stream.add(lengths.empty() ? none : lengths[node], radii.empty() ? none : radii[node]);
+    streams.push_back(stream);
+  }
+  sums.add(streams.back());
+  StreamGeometry geometry;
+  if (!lengths.empty()) geometry.mean_lengths = sums.mean_lengths();
+  if (!radii.empty()) geometry.mean_radii = sums.mean_radii();
+  return geometry;
+}
+
+MeanRatios mean_ratios(std::span<const double> means) {
+  double count = 0, x = 0, y = 0, xx = 0, xy = 0, sum_of_ratios = 0, ratios = 0;
+  std::size_t first = means.size(), last = 0;
+  for (std::size_t k = 0; k < means.size(); ++k) {
+    if (!(means[k] > 0)) continue;
+    first = std::min(first, k);
+    last = k;
+    const double order = static_cast<double>(k), logarithm = std::log(means[k]);
+    ++count;
+    x += order;
+    y += logarithm;
+    xx += order * order;
+    xy += order * logarithm;
+    if (k + 1 == means.size() || !(means[k + 1] > 0)) continue;
+    sum_of_ratios += means[k + 1] / means[k];
+    ++ratios;
+  }
+  if (count < 2) return {none, none, none};
+  return {ratios > 0 ? sum_of_ratios / ratios : none, std::exp((count * xy - x * y) / (count * xx - x * x)),
+          std::pow(means[last] / means[first], 1 / static_cast<double>(last - first))};
+}
+
+}  // namespace ramify

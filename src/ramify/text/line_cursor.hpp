@@ -1,0 +1,36 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <string_view>
+
+namespace ramify {
+
+/// Goes through a text line by line; lines end in \n, \r\n or \r, and the last one need not.
+class LineCursor {
+ public:
+  explicit LineCursor(std::string_view text) : text_(text) {}
+
+  /// Steps to the next line; false after the last.
+  bool next() {
+    if (begin_ >= text_.size()) return false;
+    const std::size_t end = std::min(text_.find_first_of("\r\n", begin_), text_.size());
+    line_ = text_.substr(begin_, end - begin_);
+    begin_ = end + (text_.substr(end, 2) == "\r\n" ? 2 : 1);
+    ++number_;
+    return true;
+  }
+
+  /// The line without its end.
+  std::string_view line() const { return line_; }
+  /// From 1.
+  std::size_t number() const { return number_; }
+
+ private:
+  std::string_view text_;
+  std::string_view line_;
+  std::size_t begin_ = 0;
+  std::size_t number_ = 0;
+};
+
+}  // namespace ramify

@@ -1,0 +1,42 @@
+#include "support/tree_files.hpp"
+
+#include <cstdlib>
+
+#include <gtest/gtest.h>
+
+#include "ramify/core/error.hpp"
+#include "ramify/tree/parenthesis_word.hpp"
+
+namespace ramify::test {
+
+std::vector<RecordedTree> trees_of(std::string_view text, const ReadOptions& options) {
+  return read_trees(text, "f", std::nullopt, options);
+}
+
+RecordedTree tree_of(std::string_view text, const ReadOptions& options) {
+  auto trees = trees_of(text, options);
+  EXPECT_EQ(trees.size(), 1u);
+  return trees.front();
+}
+
+std::string word_of(std::string_view text, const ReadOptions& options) {
+  return to_parentheses(tree_of(text, options).tree);
+}
+
+std::string refusal_of(std::string_view text, const ReadOptions& options, std::optional<TreeFormat> format) {
+  try {
+    read_trees(text, "f", format, options);
+  } catch (const Error& error) {
+    const std::string message = error.what();
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+    return message;
+  }
+  return "no error";
+}
+
+std::string shared_file(const std::string& name) {
+  const char* folder = std::getenv("RAMIFY_SHARED");
+  return folder == nullptr ? std::string() : std::string(folder) + "/trees/" + name;
+}
+
+}  // namespace ramify::test

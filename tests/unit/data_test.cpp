@@ -1,0 +1,63 @@
+// Every table and every tree of data/ is read, says where it comes from, and has the ratios that were
+// published.
+#include <filesystem>
+
+#include "support/tree_files.hpp"
+#include <gtest/gtest.h>
+
+#include "ramify/fit/ratio_datum.hpp"
+#include "ramify/format/order_counts.hpp"
+#include "ramify/model/registry.hpp"
+#include "ramify/statistic/order_ratios.hpp"
+#include "ramify/text/text_file.hpp"
+
+namespace ramify {
+namespace {
+
+const std::filesystem::path folder = std::filesystem::path(RAMIFY_SOURCE_DIR) / "data";
+
+TEST(Data, EveryTableIsReadAndSaysWhereItComesFrom) {
+  std::size_t tables = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() != ".csv") continue;
+    SCOPED_TRACE(entry.path());
+    const std::string text = read_text_file(entry.path());
+    EXPECT_TRUE(text.starts_with("# "));
+    const std::string head = text.substr(0, text.find("\n", text.rfind("\n# ") + 1));
+    EXPECT_TRUE(head.find("1996") != std::string::npos || head.find("Source: ") != std::string::npos);
+    const std::string name = entry.path().stem();
+    if (name == "ramification_bst") {
+      EXPECT_NO_THROW(Model::parse("ramification(" + entry.path().string() + ")"));
+    } else if (name == "coronary_connectivity") {
+      EXPECT_EQ(CsvData::read(entry.path()).rows(), 137u);
+    } else {
+      EXPECT_NE(head.find("confidence: "), std::string::npos);
+      EXPECT_NE(head.find("leaf_order"), std::string::npos);
+      EXPECT_FALSE(read_ratio_data(entry.path()).empty());
+    }
+    ++tables;
+  }
+  EXPECT_EQ(tables, 13u);
+}
+
+TEST(Data, RegressionsAreThosePublished) {
+  const struct {
+    const char* file;
+    double regression;
+  } published[] = {{"coronary_rca.csv", 3.50},      {"coronary_lad.csv", 3.51},    {"coronary_lcx.csv", 3.57},
+                   {"pulmonary_artery.csv", 3.354}, {"pulmonary_vein.csv", 3.333}, {"airway_ct.csv", 2.45}};
+  for (const auto& [file, regression] : published) {
+    const OrderCounts counts = read_order_counts(CsvData::read(folder / file));
+    EXPECT_NEAR(order_ratios(counts.counts).regression, regression, 0.006) << file;
+  }
+}
+
+TEST(Data, EveryExampleIsRead) {
+  std::size_t trees = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "examples"))
+    trees += read_trees(read_tree_file(entry.path()), entry.path().string(), std::nullopt, {}).size();
+  EXPECT_EQ(trees, 7u);
+}
+
+}  // namespace
+}  // namespace ramify
