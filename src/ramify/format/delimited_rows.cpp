@@ -1,5 +1,6 @@
 #include "ramify/format/delimited_rows.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include <fmt/format.h>
@@ -11,6 +12,10 @@ namespace ramify {
 namespace {
 
 constexpr std::string_view blanks = " \t\v\f";
+
+bool is_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\v' || c == '\f';
+}
 
 char separator_of(std::string_view line) {
   for (const char c : {',', '\t', ';'})
@@ -51,7 +56,9 @@ void DelimitedRows::cut_at_spaces(std::string_view line) {
       add_field(quoted(line.substr(begin)));
       begin += fields_.back().size() + 2;
     } else {
-      const std::size_t end = std::min(line.find_first_of(blanks, begin), line.size());
+      const auto blank =
+          std::find_if(line.begin() + static_cast<std::ptrdiff_t>(begin), line.end(), is_blank);
+      const auto end = static_cast<std::size_t>(blank - line.begin());
       add_field(line.substr(begin, end - begin));
       begin = end;
     }
