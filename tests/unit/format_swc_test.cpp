@@ -43,7 +43,8 @@ TEST(Swc, SomaPointsAreOneNode) {
   const auto neurites = trees_of(text, {"neurites", 0});
   ASSERT_EQ(neurites.size(), 2u);
   EXPECT_EQ(to_parentheses(neurites[0].tree), "(E)");
-  EXPECT_EQ(neurites[0].name, "f#5");
+  EXPECT_EQ(neurites[0].name, "f#5:axon");
+  EXPECT_EQ(neurites[1].name, "f#4:dendrite");
   EXPECT_EQ(to_parentheses(neurites[1].tree), "E");
   EXPECT_EQ(word_of("1 1 0 0 0 5 -1\n2 1 0 -5 0 5 1\n3 1 0 5 0 5 2\n"), "E");
 }

@@ -1,5 +1,6 @@
 #include "ramify/format/delimited_rows.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include <fmt/format.h>
@@ -11,6 +12,10 @@ namespace ramify {
 namespace {
 
 constexpr std::string_view blanks = " \t\v\f";
+
+bool is_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\v' || c == '\f';
+}
 
 char separator_of(std::string_view line) {
   for (const char c : {',', '\t', ';'})
@@ -37,14 +42,24 @@ bool DelimitedRows::next() {
   return false;
 }
 
+void DelimitedRows::add_field(std::string_view field) {
+  constexpr std::size_t most = 10'000;
+  if (fields_.size() == most)
+    throw source_.error(field, "a row of more than 10000 fields", "this is no table of a tree",
+                        "give a row to every node");
+  fields_.push_back(field);
+}
+
 void DelimitedRows::cut_at_spaces(std::string_view line) {
   for (std::size_t begin = line.find_first_not_of(blanks); begin < line.size();) {
     if (line[begin] == '"') {
-      fields_.push_back(quoted(line.substr(begin)));
+      add_field(quoted(line.substr(begin)));
       begin += fields_.back().size() + 2;
     } else {
-      const std::size_t end = std::min(line.find_first_of(blanks, begin), line.size());
-      fields_.push_back(line.substr(begin, end - begin));
+      const auto blank =
+          std::find_if(line.begin() + static_cast<std::ptrdiff_t>(begin), line.end(), is_blank);
+      const auto end = static_cast<std::size_t>(blank - line.begin());
+      add_field(line.substr(begin, end - begin));
       begin = end;
     }
     begin = line.find_first_not_of(blanks, begin);
@@ -55,7 +70,7 @@ void DelimitedRows::cut(std::string_view line) {
   for (std::size_t begin = 0; begin <= line.size();) {
     const std::size_t first = line.find_first_not_of(" \t", begin);
     if (first < line.size() && line[first] == '"' && separator_ != ' ') {
-      fields_.push_back(quoted(line.substr(first)));
+      add_field(quoted(line.substr(first)));
       const std::size_t after = first + fields_.back().size() + 2;
       begin = std::min(line.find(separator_, after), line.size()) + 1;
       if (!trimmed(line.substr(after, begin - 1 - after)).empty())
@@ -66,7 +81,7 @@ void DelimitedRows::cut(std::string_view line) {
     const std::size_t end = std::min(line.find(separator_, begin), line.size());
     const std::string_view field = line.substr(begin, end - begin);
     const std::string_view inner = trimmed(field);
-    fields_.push_back(inner.empty() ? field.substr(0, 0) : inner);
+    add_field(inner.empty() ? field.substr(0, 0) : inner);
     begin = end + 1;
   }
 }

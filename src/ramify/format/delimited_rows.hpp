@@ -14,7 +14,8 @@ namespace ramify {
 ///
 /// Fields are parted by commas, tabs or semicolons, whichever the first row has, else by white space; white
 /// space around a field is left out, and so are quotes around a whole one. Empty lines and lines that begin
-/// with # are skipped. Throws Error for a quote that is never closed on its line.
+/// with # are skipped. Throws Error for a quote that is never closed on its line,
+/// and a row of more than 10,000 fields.
 class DelimitedRows {
  public:
   explicit DelimitedRows(SourceText source) : source_(source), lines_(source.text()) {}
@@ -29,6 +30,7 @@ class DelimitedRows {
  private:
   void cut(std::string_view line);
   void cut_at_spaces(std::string_view line);
+  void add_field(std::string_view field);
   std::string_view quoted(std::string_view from) const;
 
   SourceText source_;

@@ -23,6 +23,8 @@ class Inflater {
   ~Inflater() { inflateEnd(&stream_); }
   Inflater(const Inflater&) = delete;
   Inflater& operator=(const Inflater&) = delete;
+  Inflater(Inflater&&) = delete;
+  Inflater& operator=(Inflater&&) = delete;
 
   /// Unpacks one member; takes what it used from the bytes. False where it is damaged or cut off.
   bool member(std::string_view& bytes, std::string& text) {

@@ -19,6 +19,6 @@ namespace ramify {
 std::vector<RecordedTree> read_json_trees(SourceText source);
 
 /// One such line. Nothing of a tree is lost, but bytes in names that are no UTF-8. O(nodes).
-std::string write_json_tree(const RecordedTree& tree);
+std::string write_json_tree(const RecordedTree& recorded);
 
 }  // namespace ramify

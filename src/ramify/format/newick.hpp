@@ -22,6 +22,6 @@ std::vector<RecordedTree> read_newick(SourceText source);
 
 /// One tree as Newick, with a line end: names as labels, or where it has none numbers for the external nodes,
 /// 1 from the left; lengths where it has them. Radii are lost. O(nodes).
-std::string write_newick(const RecordedTree& tree);
+std::string write_newick(const RecordedTree& recorded);
 
 }  // namespace ramify

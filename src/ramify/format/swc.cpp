@@ -17,8 +17,17 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 struct Point {
   std::string_view id, parent;
   double x, y, z, radius;
-  bool soma;
+  std::string_view type;
+  bool is_soma() const { return type == "1"; }
 };
+
+/// What goes into the name of a tree that begins with a point of this type.
+std::string_view type_word(std::string_view type) {
+  if (type == "1") return ":soma";
+  if (type == "2") return ":axon";
+  if (type == "3") return ":dendrite";
+  return type == "4" ? ":apical" : "";
+}
 
 std::string_view plain_id(const SourceText& source, std::string_view field) {
   const std::string_view digits = field.substr(field.starts_with('-') ? 1 : 0);
@@ -43,7 +52,7 @@ Point point_of(const SourceText& source, const std::vector<std::string_view>& fi
           number_in(source, fields[3], "y"),
           number_in(source, fields[4], "z"),
           radius,
-          fields[1] == "1"};
+          fields[1]};
 }
 
 double distance(const Point& a, const Point& b) {
@@ -79,7 +88,7 @@ class Neuron {
     std::vector<RecordedTree> trees;
     for (const RowTree& rows : table.trees(neurites ? ReadOptions{"all", 0} : options)) {
       const PointTree points = with_one_soma(rows);
-      if (neurites && points_[points.rows.front()].soma) {
+      if (neurites && points_[points.rows.front()].is_soma()) {
         add_children(points, trees);
       } else {
         trees.push_back(recorded(points));
@@ -101,7 +110,7 @@ class Neuron {
     PointTree points{{tree.tree.arity(0)}, {tree.rows[0]}, {no_row}};
     each_edge(tree.tree, [&](std::size_t parent, std::size_t child) {
       const std::uint32_t row = tree.rows[child];
-      if (points_[row].soma && points_[tree.rows[parent]].soma) {
+      if (points_[row].is_soma() && points_[tree.rows[parent]].is_soma()) {
         place[child] = place[parent];
         points.arity[place[parent]] += tree.tree.arity(child);
         --points.arity[place[parent]];
@@ -131,7 +140,8 @@ class Neuron {
       tree.names.set(node, point.id);
     }
     tree.tree = Tree(points.arity);
-    tree.name = fmt::format("{}#{}", source_.name(), tree.names[0]);
+    tree.name =
+        fmt::format("{}#{}{}", source_.name(), tree.names[0], type_word(points_[points.rows[0]].type));
     return tree;
   }
 

@@ -13,7 +13,7 @@ namespace ramify {
 /// Every point is a node; its length is the distance from its parent point, its radius the point's own; a
 /// root has no length. All soma points (type 1) that hang together are one node, the root, whatever contour
 /// or sphere they describe. `neurites` as root takes every subtree that leaves a soma as a tree of its own.
-/// Other types are not looked at. Further fields of a line are ignored.
+/// Other types only name such trees: "file#5:axon". Further fields of a line are ignored.
 ///
 /// Throws Error with line and column for a short line, an id, coordinate or radius that is no number, an id
 /// twice, a missing parent, a cycle, several roots where one is needed. O(points) time.

@@ -9,6 +9,7 @@
 #include "ramify/core/nearest_name.hpp"
 #include "ramify/format/delimited_rows.hpp"
 #include "ramify/format/tree_table.hpp"
+#include "ramify/text/line_cursor.hpp"
 #include "ramify/text/trimmed.hpp"
 
 namespace ramify {
@@ -91,7 +92,9 @@ TreeFormat detect_tree_format(const SourceText& source) {
   if (begin.front() == '{') return TreeFormat::json;
   if (begin.front() == '(') return format_of_parentheses(begin);
   if (begin.front() == '[' || begin.front() == '\'') return TreeFormat::newick;
-  const std::string_view first_line = trimmed(begin.substr(0, begin.find_first_of("\r\n")));
+  LineCursor lines(begin);
+  lines.next();
+  const std::string_view first_line = trimmed(lines.line());
   if (first_line == "E") return TreeFormat::parens;
   if (begin.starts_with("CODE") && head.find("FORM-") != std::string_view::npos) return TreeFormat::mtg;
   if (const auto table = format_of_table(source)) return *table;
