@@ -65,7 +65,7 @@ std::string statistic_table() {
 std::string coverage_of(const StatisticInfo& statistic, const ModelInfo& model) {
   if (statistic.needs_binary && !model.is_binary) return "not defined";
   if (!model.is_split) return "streamed";
-  const std::string known = known_of(statistic);
+  std::string known = known_of(statistic);
   if (known == "known") return known;
   const std::string sampled = sampling_of(statistic) == "streamed" ? "streamed" : "grafted";
   return known.empty() ? sampled : known + " + " + sampled;

@@ -14,7 +14,8 @@ TEST_P(Verb, HasHelpWithAnExample) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Verbs, Verb,
-                         testing::Values("list", "sample", "law", "measure", "test", "theory", "run", "reproduce", "fit"));
+                         testing::Values("list", "sample", "law", "measure", "test", "theory", "run",
+                                         "reproduce", "fit"));
 
 TEST(Help, ExamplesOfQuickVerbsRun) {
   for (const char* verb : {"list", "sample", "law", "measure", "theory"}) {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -131,9 +132,8 @@ double ComparedStatistic::effect() const {
              : std::copysign(std::numeric_limits<double>::infinity(), off);
 }
 
-TreeComparison::TreeComparison(const Model& model, const Simulation& simulation,
-                               const Cancellation& cancellation)
-    : model_(model), simulation_(simulation), cancellation_(cancellation) {}
+TreeComparison::TreeComparison(Model model, const Simulation& simulation, const Cancellation& cancellation)
+    : model_(std::move(model)), simulation_(simulation), cancellation_(cancellation) {}
 
 TreeComparison::~TreeComparison() = default;
 

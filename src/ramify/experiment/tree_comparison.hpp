@@ -42,7 +42,7 @@ struct Simulation {
 class TreeComparison {
  public:
   /// @param cancellation  looked at between simulated trees; must outlive the object
-  TreeComparison(const Model& model, const Simulation& simulation, const Cancellation& cancellation);
+  TreeComparison(Model model, const Simulation& simulation, const Cancellation& cancellation);
   TreeComparison(const TreeComparison&) = delete;
   TreeComparison(TreeComparison&&) = delete;
   TreeComparison& operator=(const TreeComparison&) = delete;

@@ -26,8 +26,8 @@ constexpr double points_of_period = 6;
 /// The trees of one request while they are grown, by several threads.
 class Growth {
  public:
-  Growth(const SamplerOrder& order, StreamKey key, std::uint64_t trees)
-      : order_(order), key_(key), values_(trees), trees_left_(trees) {}
+  Growth(SamplerOrder order, StreamKey key, std::uint64_t trees)
+      : order_(std::move(order)), key_(key), values_(trees), trees_left_(trees) {}
 
   /// Grows the trees first..last-1. The sampler's tables are made by the first call and dropped by the last:
   /// those of a whole grid would take gigabytes.
@@ -39,7 +39,8 @@ class Growth {
       sampler->sample(order_.largest_n, key_, replicate, measures);
       values_[replicate] = ratio_values(measures);
     }
-    if ((trees_left_ -= last - first) == 0) sampler_.reset();
+    const std::uint64_t left_before = trees_left_.fetch_sub(last - first);
+    if (left_before == last - first) sampler_.reset();
   }
 
   std::span<const RatioValues> values() const { return values_; }

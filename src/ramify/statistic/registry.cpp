@@ -120,7 +120,7 @@ StatisticInfo by_orders(std::string_view name, std::string_view description, std
 
 }  // namespace
 
-const std::vector<StatisticInfo>& statistics() {
+const std::vector<StatisticInfo>& statistics() {  // NOLINT(readability-function-size): a table
   using M = TreeMeasures;
   using R = OrderRatios;
   static const std::vector<StatisticInfo> all{
