@@ -22,16 +22,12 @@ namespace ramify {
 namespace {
 
 using test::add_node;
+using test::binomial;
 using test::side_by_side;
 using test::WordLaw;
 using test::words_against;
 
 const Cancellation never;
-
-double binomial(unsigned n, unsigned k, double p) {
-  return std::exp(std::lgamma(n + 1.0) - std::lgamma(k + 1.0) - std::lgamma(n - k + 1.0) + k * std::log(p) +
-                  (n - k) * std::log(1 - p));
-}
 
 WordLaw trie_law(unsigned strings, double p) {
   if (strings < 2) return {{"E", 1.0}};
@@ -50,20 +46,6 @@ WordLaw trie_law(unsigned strings, double p) {
     }
   }
   return with_chains;
-}
-
-WordLaw ternary_law(unsigned n, double p) {
-  if (n == 0) return {{"E", 1.0}};
-  WordLaw law;
-  double sum = 0;
-  for (unsigned third = 0; third <= n / 2; ++third) sum += binomial(n, third, p);
-  for (unsigned third = 0; third <= n / 2; ++third) {
-    const unsigned second = third > 0 ? third - 1 : 0;
-    add_node(
-        side_by_side({ternary_law(n - 1 - second - third, p), ternary_law(second, p), ternary_law(third, p)}),
-        binomial(n, third, p) / sum, law);
-  }
-  return law;
 }
 
 WordLaw branching_law(unsigned generations, double p0, double p1) {
@@ -101,8 +83,10 @@ TEST(Trie, HasTheLawOfItsDefinition) {
 
 TEST(Ternary, HasTheLawOfItsDefinition) {
   for (const unsigned n : {0u, 1u, 2u, 3u, 7u})
-    EXPECT_TRUE(test::agrees(words_against("ternary(0.25)", n, ternary_law(n, 0.25), "")));
-  EXPECT_TRUE(test::rejected(words_against("ternary(0.25)", 6, ternary_law(6, 0.26), ", p off")));
+    EXPECT_TRUE(test::agrees(
+        words_against("ternary(0.25)", n, test::ternary_law([](double) { return 0.25; }, n), "")));
+  EXPECT_TRUE(test::rejected(
+      words_against("ternary(0.25)", 6, test::ternary_law([](double) { return 0.26; }, 6), ", p off")));
 }
 
 TEST(Branching, HasTheLawOfItsDefinition) {

@@ -99,32 +99,12 @@ INSTANTIATE_TEST_SUITE_P(
                              [](Size s, double d, double) { return split_law(s, 1 / (d + 0.5)); }}),
     [](const auto& instance) { return "Case" + std::to_string(instance.index); });
 
-WordLaw ternary_law(const std::function<double(double depth)>& p_at, unsigned size, unsigned depth) {
-  if (size == 0) return {{"E", 1.0}};
-  const double p = p_at(depth);
-  std::vector<double> weights;
-  for (unsigned third = 0; third <= size / 2; ++third)
-    weights.push_back(std::exp(std::lgamma(size + 1.0) - std::lgamma(third + 1.0) -
-                               std::lgamma(size - third + 1.0) + third * std::log(p) +
-                               (size - third) * std::log(1 - p)));
-  double sum = 0;
-  for (const double weight : weights) sum += weight;
-  WordLaw law;
-  for (unsigned third = 0; third <= size / 2; ++third) {
-    const unsigned second = third > 0 ? third - 1 : 0;
-    add_node(side_by_side({ternary_law(p_at, size - 1 - second - third, depth + 1),
-                           ternary_law(p_at, second, depth + 1), ternary_law(p_at, third, depth + 1)}),
-             weights[third] / sum, law);
-  }
-  return law;
-}
-
 TEST(NodeTernary, HasTheLawOfItsDefinition) {
   const auto p_at = [](double d) { return 1 / (3 + std::log(d)); };
   for (const unsigned n : {0u, 1u, 2u, 7u})
-    EXPECT_TRUE(test::agrees(words_against("node_ternary(1/(3+log(d)))", n, ternary_law(p_at, n, 1), "")));
-  EXPECT_TRUE(test::rejected(
-      words_against("node_ternary(1/(3+log(d)))", 7, ternary_law(p_at, 7, 2), ": the root has depth 2")));
+    EXPECT_TRUE(test::agrees(words_against("node_ternary(1/(3+log(d)))", n, test::ternary_law(p_at, n), "")));
+  EXPECT_TRUE(test::rejected(words_against("node_ternary(1/(3+log(d)))", 7, test::ternary_law(p_at, 7, 2),
+                                           ": the root has depth 2")));
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "support/word_law.hpp"
 
+#include <cmath>
+
 #include "support/seed.hpp"
 #include <fmt/format.h>
 
@@ -22,6 +24,26 @@ WordLaw side_by_side(const std::vector<WordLaw>& laws) {
 void add_node(const WordLaw& below, double weight, WordLaw& law) {
   for (const auto& [word, p] : below)
     if (weight > 0) law[word.empty() ? "E" : "(" + word + ")"] += weight * p;
+}
+
+double binomial(unsigned n, unsigned k, double p) {
+  return std::exp(std::lgamma(n + 1.0) - std::lgamma(k + 1.0) - std::lgamma(n - k + 1.0) + k * std::log(p) +
+                  (n - k) * std::log(1 - p));
+}
+
+WordLaw ternary_law(const std::function<double(double depth)>& p_at, unsigned size, unsigned depth) {
+  if (size == 0) return {{"E", 1.0}};
+  const double p = p_at(depth);
+  double sum = 0;
+  for (unsigned third = 0; third <= size / 2; ++third) sum += binomial(size, third, p);
+  WordLaw law;
+  for (unsigned third = 0; third <= size / 2; ++third) {
+    const unsigned second = third > 0 ? third - 1 : 0;
+    add_node(side_by_side({ternary_law(p_at, size - 1 - second - third, depth + 1),
+                           ternary_law(p_at, second, depth + 1), ternary_law(p_at, third, depth + 1)}),
+             binomial(size, third, p) / sum, law);
+  }
+  return law;
 }
 
 Goodness words_against(const std::string& text, Size n, const WordLaw& law, const std::string& what) {

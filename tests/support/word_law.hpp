@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -19,6 +20,13 @@ WordLaw side_by_side(const std::vector<WordLaw>& laws);
 
 /// Adds, with a weight, the trees whose root has the children `below`.
 void add_node(const WordLaw& below, double weight, WordLaw& law);
+
+/// P(Bin(n, p) = k).
+double binomial(unsigned n, unsigned k, double p);
+
+/// Of ternary trees (A22) of `size` nodes whose p is a function of the depth of the node, that of the root
+/// being `depth`: all sizes of the third child that leave the first none below 0.
+WordLaw ternary_law(const std::function<double(double depth)>& p_at, unsigned size, unsigned depth = 1);
 
 /// The trees that a grown model grows at n, 60,000 of them, against a law.
 Goodness words_against(const std::string& model, Size n, const WordLaw& law, const std::string& what);
