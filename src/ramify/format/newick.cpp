@@ -42,7 +42,8 @@ void name_trees(std::vector<RecordedTree>& trees, const std::vector<SourceLocati
 
 bool needs_quotes(std::string_view label) {
   if (label.empty() || label.find_first_of("()[]':;, \t\r\n\v\f#") != std::string_view::npos) return true;
-  return label.find('\0') != std::string_view::npos;
+  // A label that begins like a byte-order mark would be taken for one at the start of a file.
+  return label.find('\0') != std::string_view::npos || label.starts_with("\xEF\xBB\xBF");
 }
 
 void append_label(std::string& text, std::string_view label) {
