@@ -1,7 +1,12 @@
 #include "ramify/experiment/run_plots.hpp"
 
 #include <algorithm>
-#include <map>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "ramify/core/find_named.hpp"
+#include "ramify/model/registry.hpp"
 
 namespace ramify {
 namespace {
@@ -25,6 +30,17 @@ std::vector<PlotSeries> means_by_model(const std::vector<CheckedCell>& cells, co
   return series;
 }
 
+/// "n (internal nodes)"; "n" where the models count different things.
+std::string size_label(const std::vector<CheckedCell>& cells) {
+  std::set<std::string_view> counted;
+  for (const auto& cell : cells) {
+    const std::string& model = cell.result.model;
+    counted.insert(
+        find_named(models(), &ModelInfo::name, model.substr(0, model.find('(')), "model").n_counts);
+  }
+  return counted.size() == 1 ? fmt::format("n ({})", *counted.begin()) : "n";
+}
+
 }  // namespace
 
 std::vector<std::pair<std::string, Plot>> run_plots(const std::vector<CheckedCell>& cells,
@@ -38,7 +54,7 @@ std::vector<std::pair<std::string, Plot>> run_plots(const std::vector<CheckedCel
         std::any_of(series.begin(), series.end(), [](const auto& s) { return s.points.size() > 1; });
     if (!has_line) continue;
     plots.emplace_back(name, Plot{std::string(info->description), "sampled means with two standard errors",
-                                  "n (internal nodes)", "mean " + name, true, false, std::move(series)});
+                                  size_label(cells), "mean " + name, true, false, std::move(series)});
   }
   return plots;
 }
