@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 
 #include "ramify/core/number.hpp"
 #include "ramify/experiment/registry_columns.hpp"
+#include "ramify/format/json_tree.hpp"
 #include "ramify/statistic/order_ratios.hpp"
 #include "ramify/statistic/stream_geometry.hpp"
 
@@ -20,10 +20,6 @@ namespace {
 
 std::string number(double value) {
   return std::isfinite(value) ? format_summary(value) : "null";
-}
-
-std::string text(const std::string& value) {
-  return nlohmann::json(value).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 std::string list(const std::vector<std::string>& items) {
@@ -90,7 +86,7 @@ Members statistics_of(const TreeMeasurement& tree, unsigned leaf_order) {
 
 std::string json_of(const TreeMeasurement& tree, unsigned leaf_order) {
   const std::string indent = "  ";
-  Members members{{"tree", text(tree.orders.name)},
+  Members members{{"tree", json_text(tree.orders.name)},
                   {"leaf_order", std::to_string(leaf_order)},
                   {"nodes_ratio_estimators", ratios_of(tree.orders.nodes)},
                   {"streams_ratio_estimators", ratios_of(tree.orders.streams)},

@@ -130,8 +130,7 @@ std::string node_rows(const RecordedTree& tree, unsigned leaf_order) {
   const auto depth = depths(tree.tree);
   const auto magnitude = magnitudes(tree.tree);
   const auto paths = path_nodes(tree.tree, MainChild::highest_order);
-  std::vector<std::size_t> parents(tree.tree.node_count(), 0);
-  each_edge(tree.tree, [&](std::size_t parent, std::size_t child) { parents[child] = parent + 1; });
+  const auto parents = parent_numbers(tree.tree);
   std::string text;
   for (std::size_t node = 0; node < parents.size(); ++node) {
     CsvRow row;

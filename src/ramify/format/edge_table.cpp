@@ -29,8 +29,7 @@ void append_number(std::string& text, const std::vector<double>& values, std::si
 }
 
 void append_rows(std::string& text, const RecordedTree& tree, std::size_t number, const Columns& columns) {
-  std::vector<std::size_t> parents(tree.tree.node_count(), 0);  // from 1; none of the root
-  each_edge(tree.tree, [&](std::size_t parent, std::size_t child) { parents[child] = parent + 1; });
+  const auto parents = parent_numbers(tree.tree);
   for (std::size_t node = 0; node < parents.size(); ++node) {
     if (columns.tree) text += std::to_string(number) + ',';
     text += std::to_string(node + 1) + ',' + std::to_string(parents[node]);

@@ -104,11 +104,6 @@ class ObjectReader {
   std::string_view line_;
 };
 
-/// JSON is UTF-8: bytes that are not are replaced by U+FFFD.
-std::string json_text(std::string_view text) {
-  return Json(std::string(text)).dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
 void append_numbers(std::string& text, std::string_view key, const std::vector<double>& values) {
   if (values.empty()) return;
   text += fmt::format(",\"{}\":[", key);
@@ -120,6 +115,10 @@ void append_numbers(std::string& text, std::string_view key, const std::vector<d
 }
 
 }  // namespace
+
+std::string json_text(std::string_view text) {
+  return Json(std::string(text)).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
 
 std::vector<RecordedTree> read_json_trees(SourceText source) {
   std::vector<RecordedTree> trees;

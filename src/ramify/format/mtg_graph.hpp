@@ -40,7 +40,6 @@ class MtgGraph {
   std::uint32_t raised(std::uint32_t vertex, unsigned scale) const;
   std::uint32_t deepest_part(std::uint32_t vertex) const;
   unsigned scale_of_class(std::string_view label) const;
-  unsigned scale_of(std::uint32_t vertex) const { return vertex == none ? 0 : vertices_[vertex].scale; }
   void add_features(const std::vector<std::string_view>& fields, Vertex& vertex) const;
 
   SourceText source_;

@@ -40,8 +40,7 @@ void require_next_order(const CsvData& table, std::size_t row, std::uint64_t exp
                  "sort the rows, or set leaf_order");
 }
 
-std::vector<std::uint64_t> read_counts(const CsvData& table) {
-  const std::uint64_t leaf_order = leaf_order_of(table);
+std::vector<std::uint64_t> read_counts(const CsvData& table, std::uint64_t leaf_order) {
   std::vector<std::uint64_t> counts;
   for (std::size_t row = 0; row < table.rows(); ++row) {
     require_next_order(table, row, leaf_order + row);
@@ -106,8 +105,9 @@ OrderCounts read_order_counts(const CsvData& table) {
   require_known_columns(table, known_columns);
   table.require_column("order");
   table.require_column("count");
-  OrderCounts counts{leaf_order_of(table),
-                     read_counts(table),
+  const std::uint64_t leaf_order = leaf_order_of(table);
+  OrderCounts counts{leaf_order,
+                     read_counts(table, leaf_order),
                      read_means(table, "diameter"),
                      read_means(table, "length"),
                      {}};

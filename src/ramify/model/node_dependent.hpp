@@ -29,20 +29,23 @@ struct NodeBeta {
   static bool accepts(double value) { return value > 0 && std::isfinite(value); }
 };
 
-struct NodeSplit {
-  using Law = FixedSplit;
-  static constexpr std::string_view name = "node_split", domain = "it must lie in (0,1)";
-  static constexpr std::array<std::string_view, 1> parameters{"X"};
+/// Of two children, with parameters between 0 and 1.
+struct NodeFraction {
+  static constexpr std::string_view domain = "it must lie in (0,1)";
   static constexpr Size children = 2;
   static bool accepts(double value) { return value > 0 && value < 1; }
 };
 
-struct NodeDst {
+struct NodeSplit : NodeFraction {
+  using Law = FixedSplit;
+  static constexpr std::string_view name = "node_split";
+  static constexpr std::array<std::string_view, 1> parameters{"X"};
+};
+
+struct NodeDst : NodeFraction {
   using Law = Dst;
-  static constexpr std::string_view name = "node_dst", domain = "it must lie in (0,1)";
+  static constexpr std::string_view name = "node_dst";
   static constexpr std::array<std::string_view, 1> parameters{"P"};
-  static constexpr Size children = 2;
-  static bool accepts(double value) { return value > 0 && value < 1; }
 };
 
 struct NodeTernary {

@@ -5,37 +5,17 @@
 #include <limits>
 
 #include "ramify/statistic/strahler.hpp"
+#include "ramify/tree/branch_pieces.hpp"
 
 namespace ramify {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// The pieces of a stream that were met so far.
+/// A stream as far as it was met.
 struct Stream {
   std::uint8_t order = 0;
-  bool has_length = false;
-  double length = 0, weighted = 0, weight = 0, radii = 0;
-  std::uint32_t radius_count = 0;
-
-  void add(double piece, double radius) {
-    if (!std::isnan(piece)) {
-      has_length = true;
-      length += piece;
-    }
-    if (std::isnan(radius)) return;
-    radii += radius;
-    ++radius_count;
-    if (piece > 0) {
-      weighted += piece * radius;
-      weight += piece;
-    }
-  }
-
-  double radius() const {
-    if (radius_count == 0) return none;
-    return weight > 0 ? weighted / weight : radii / radius_count;
-  }
+  BranchPieces pieces;
 };
 
 /// Sums over the streams of every order.
@@ -44,11 +24,11 @@ class OrderSums {
   void add(const Stream& stream) {
     if (sums_.size() <= stream.order) sums_.resize(stream.order + std::size_t{1});
     Sums& sums = sums_[stream.order];
-    if (stream.has_length) {
-      sums.length += stream.length;
+    if (const double length = stream.pieces.length(); !std::isnan(length)) {
+      sums.length += length;
       ++sums.lengths;
     }
-    if (const double radius = stream.radius(); !std::isnan(radius)) {
+    if (const double radius = stream.pieces.radius(); !std::isnan(radius)) {
       sums.radius += radius;
       ++sums.radii;
     }
@@ -102,7 +82,7 @@ StreamGeometry stream_geometry(const Tree& tree, std::span<const double> lengths
       stream = join(std::span(streams).subspan(first), sums);
       streams.resize(first);
     }
-    stream.add(lengths.empty() ? none : lengths[node], radii.empty() ? none : radii[node]);
+    stream.pieces.add(lengths.empty() ? none : lengths[node], radii.empty() ? none : radii[node]);
     streams.push_back(stream);
   }
   sums.add(streams.back());

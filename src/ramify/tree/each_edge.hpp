@@ -25,6 +25,13 @@ void each_edge(const Tree& tree, Visit visit) {
   }
 }
 
+/// The parent of every node by its number in preorder, from 1; 0 of the root. O(nodes).
+inline std::vector<std::size_t> parent_numbers(const Tree& tree) {
+  std::vector<std::size_t> parents(tree.node_count(), 0);
+  each_edge(tree, [&](std::size_t parent, std::size_t child) { parents[child] = parent + 1; });
+  return parents;
+}
+
 /// The node after the last one below and including `node`, in preorder. O(size of the subtree).
 inline std::size_t subtree_end(const Tree& tree, std::size_t node) {
   std::size_t owed = 1;
