@@ -70,7 +70,7 @@ Members statistics_of(const TreeMeasurement& tree, unsigned leaf_order) {
   Members members;
   for (std::size_t i = 0; i < columns.size();) {
     const StatisticInfo& statistic = *columns[i].statistic;
-    const bool pairs = statistic.shape == Columns::pairs || statistic.shape == Columns::lower_pairs;
+    const bool pairs = statistic.by_pairs();
     std::vector<std::string> rows;
     std::vector<double> row;
     for (; i < columns.size() && columns[i].statistic == &statistic; ++i) {

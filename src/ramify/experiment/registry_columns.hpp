@@ -9,18 +9,12 @@
 
 namespace ramify::detail {
 
-/// A column of a table of measured trees: a statistic of the registry at an order, or the whole of it.
-struct RegistryColumn {
-  std::string name;  ///< orders in it are counted from the leaf order of the table
-  const StatisticInfo* statistic;
-  OrderPlace place;  ///< leaf order 0
-};
-
-/// The columns of all statistics for trees of orders 0..largest.
-std::vector<RegistryColumn> registry_columns(std::size_t largest_order, unsigned leaf_order);
+/// The columns of all statistics for trees of orders 0..largest; orders in their names are counted from
+/// leaf_order.
+std::vector<StatisticSet::Column> registry_columns(std::size_t largest_order, unsigned leaf_order);
 
 /// Its value as a number, NaN where the tree has none or only counts of streams are known; orders are counted
 /// from the leaf order.
-double value_of(const RegistryColumn& column, const TreeMeasurement& tree, unsigned leaf_order);
+double value_of(const StatisticSet::Column& column, const TreeMeasurement& tree, unsigned leaf_order);
 
 }  // namespace ramify::detail

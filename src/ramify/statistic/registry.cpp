@@ -192,7 +192,7 @@ const std::vector<StatisticInfo>& statistics() {  // NOLINT(readability-function
                 "T_ij: streams of order j that join a stream of order i > j from the side, on average",
                 "Tokunaga 1978", Columns::lower_pairs, Measure::bi_orders, tokunaga),
       by_orders("tokunaga", "T_k: the same for streams k orders below, over all streams of order k and more",
-                "Tokunaga 1978", Columns::upper_orders, Measure::bi_orders, pooled_tokunaga),
+                "Tokunaga 1978", Columns::differences, Measure::bi_orders, pooled_tokunaga),
   };
   return all;
 }
@@ -204,6 +204,7 @@ std::string StatisticInfo::columns() const {
     case Columns::orders:
       return fmt::format("{0}_0..{0}_K", name);
     case Columns::upper_orders:
+    case Columns::differences:
       return fmt::format("{0}_1..{0}_K", name);
     case Columns::pairs:
       return fmt::format("{0}_1_0..{0}_K_K", name);
@@ -213,12 +214,18 @@ std::string StatisticInfo::columns() const {
   return {};
 }
 
+std::string StatisticInfo::column_name(OrderPlace place, std::size_t leaf_order) const {
+  if (shape == Columns::one) return std::string(name);
+  if (shape == Columns::differences) return fmt::format("{}_{}", name, place.high);
+  if (!by_pairs()) return fmt::format("{}_{}", name, place.high + leaf_order);
+  return fmt::format("{}_{}_{}", name, place.high + leaf_order, place.low + leaf_order);
+}
+
 std::vector<OrderPlace> StatisticInfo::places(std::size_t largest_order) const {
   if (shape == Columns::one) return {{0, 0}};
-  const bool pairs = shape == Columns::pairs || shape == Columns::lower_pairs;
   std::vector<OrderPlace> places;
   for (std::size_t high = shape == Columns::orders ? 0 : 1; high <= largest_order; ++high) {
-    const std::size_t last = !pairs ? 0 : shape == Columns::pairs ? high : high - 1;
+    const std::size_t last = !by_pairs() ? 0 : shape == Columns::pairs ? high : high - 1;
     for (std::size_t low = 0; low <= last; ++low) places.push_back({high, low});
   }
   return places;
@@ -257,13 +264,8 @@ bool StatisticSet::reads_only(Measure measure) const {
 std::vector<StatisticSet::Column> StatisticSet::columns(std::size_t largest_order) const {
   std::vector<Column> columns;
   for (const auto* info : chosen_) {
-    const bool pairs = info->shape == Columns::pairs || info->shape == Columns::lower_pairs;
-    for (const OrderPlace place : info->places(largest_order)) {
-      std::string name(info->name);
-      if (info->shape != Columns::one) name += fmt::format("_{}", place.high);
-      if (pairs) name += fmt::format("_{}", place.low);
-      columns.push_back({std::move(name), info, place});
-    }
+    for (const OrderPlace place : info->places(largest_order))
+      columns.push_back({info->column_name(place), info, place});
   }
   return columns;
 }

@@ -42,6 +42,7 @@ enum class Columns {
   one,
   orders,        ///< name_0 .. name_K
   upper_orders,  ///< name_1 .. name_K
+  differences,   ///< the same, of a difference of orders
   pairs,         ///< name_i_j, 1 <= i <= K, 0 <= j <= i
   lower_pairs,   ///< name_i_j, 1 <= i <= K, 0 <= j < i
 };
@@ -61,6 +62,13 @@ struct StatisticInfo {
 
   /// "strahler", or "nodes_0..nodes_K".
   std::string columns() const;
+
+  /// One column for each pair of orders.
+  bool by_pairs() const { return shape == Columns::pairs || shape == Columns::lower_pairs; }
+
+  /// The name of the column at a place: "strahler", "nodes_3", "ramification_2_1"; orders, but no differences
+  /// of them, are counted from leaf_order.
+  std::string column_name(OrderPlace place, std::size_t leaf_order = 0) const;
 
   /// The places of all its columns, for trees whose largest order is K; one place (0, 0) where it has one
   /// column.
