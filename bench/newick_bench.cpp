@@ -4,8 +4,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include "ramify/experiment/tree_measurement.hpp"
-#include "ramify/format/contract_unary.hpp"
+#include "ramify/measure/tree_measurement.hpp"
+#include "ramify/tree/contract_unary.hpp"
 #include "ramify/format/newick.hpp"
 #include "ramify/model/bst.hpp"
 #include "ramify/model/split_tree.hpp"

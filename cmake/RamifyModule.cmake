@@ -1,9 +1,9 @@
 # One static library per folder of src/ramify, named ramify::<folder>. Its links are the ladder of
 # docs/design.md: a module can include only what it links (tests/headers checks it).
-#   ramify_module(tree SOURCES a.cpp b.cpp LINKS ramify::random PRIVATE_LINKS fmt::fmt-header-only)
+#   ramify_module(tree SOURCES a.cpp b.cpp LINKS ramify::random PRIVATE_LINKS fmt::fmt)
 
 # Private links that leave nothing to link: users of an installed ramify need not have them.
-set(RAMIFY_HEADER_ONLY Boost::headers Eigen3::Eigen fmt::fmt-header-only nlohmann_json::nlohmann_json)
+set(RAMIFY_HEADER_ONLY Boost::headers Eigen3::Eigen nlohmann_json::nlohmann_json)
 
 function(ramify_module name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})

@@ -12,6 +12,12 @@ install(TARGETS ramify_language EXPORT ramifyTargets)
 add_library(ramify_warnings INTERFACE)
 target_compile_options(ramify_warnings INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow $<$<BOOL:${RAMIFY_WERROR}>:-Werror>)
+# For what is neither measured nor sampled, the command line and the unit tests: compiled in half the time.
+add_library(ramify_unhurried INTERFACE)
+if(NOT RAMIFY_SANITIZE)
+  target_compile_options(ramify_unhurried INTERFACE $<$<CONFIG:Release>:-O1>)
+endif()
+
 if(RAMIFY_CONTRACTS)
   target_compile_definitions(ramify_language INTERFACE $<BUILD_INTERFACE:RAMIFY_CONTRACTS=1>)
 endif()

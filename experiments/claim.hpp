@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ramify/compare/verdict.hpp"
-#include "ramify/experiment/run_tables.hpp"
+#include "ramify/run/run_tables.hpp"
 #include "ramify/report/plot.hpp"
 
 namespace ramify {

@@ -1,10 +1,11 @@
 #include "session.hpp"
+#include "verbs.hpp"
 #include <fmt/format.h>
 
 #include "ramify/core/number.hpp"
 #include "ramify/fit/fit_table.hpp"
 #include "ramify/fit/ratio_fitter.hpp"
-#include "ramify/io/read_count.hpp"
+#include "ramify/text/read_count.hpp"
 
 namespace ramify::cli {
 namespace {
@@ -52,24 +53,21 @@ ExitCode fit(const Options& options, const Cancellation& cancellation) {
 
 }  // namespace
 
-void add_fit(CLI::App& app, Session& session) {
+void add_fit(Program& program) {
   auto options = std::make_shared<Options>();
-  auto* verb = app.add_subcommand("fit", "Fit the split parameter of a model to measured bifurcation ratios");
-  verb->add_option("data", options->files,
-                   "CSV: ratios (name,ratio,max_order,branches) or stream counts (order,count)")
-      ->required();
-  verb->add_option("--model", options->model, "patricia or dst")->capture_default_str();
-  verb->add_option("--observable", options->observable, "what is fitted: ratio")->capture_default_str();
-  verb->add_option("--n", options->n, "internal nodes, in place of the size in the data");
-  verb->add_option("--seed", options->seed, "seed")->capture_default_str();
-  verb->add_option("--threads", options->threads,
+  Verb verb = program.verb("fit", "Fit the split parameter of a model to measured bifurcation ratios");
+  verb.option("data", options->files,
+                   "CSV: ratios (name,ratio,max_order,branches) or stream counts (order,count)", Need::required);
+  verb.option("--model", options->model, "patricia or dst", Need::defaulted);
+  verb.option("--observable", options->observable, "what is fitted: ratio", Need::defaulted);
+  verb.option("--n", options->n, "internal nodes, in place of the size in the data");
+  verb.option("--seed", options->seed, "seed", Need::defaulted);
+  verb.option("--threads", options->threads,
                    "threads; all cores if left out. The result does not depend on it");
-  verb->add_option("--format", options->format, "table or csv")->capture_default_str();
-  verb->add_option("-o,--output", options->output, "write to this file, in one step");
-  verb->footer("Example: ramify fit data/species.csv");
-  verb->callback([&session, options] {
-    session.work = [&session, options] { return fit(*options, session.cancellation); };
-  });
+  verb.option("--format", options->format, "table or csv", Need::defaulted);
+  verb.option("-o,--output", options->output, "write to this file, in one step");
+  verb.example("Example: ramify fit data/species.csv");
+  verb.work([options](const Cancellation& cancellation) { return fit(*options, cancellation); });
 }
 
 }  // namespace ramify::cli

@@ -2,10 +2,11 @@
 #include <memory>
 
 #include "session.hpp"
+#include "verbs.hpp"
 
 #include "ramify/core/physical_memory.hpp"
-#include "ramify/experiment/law_table.hpp"
-#include "ramify/io/size_list.hpp"
+#include "ramify/tabulate/law_table.hpp"
+#include "ramify/config/size_list.hpp"
 
 namespace ramify::cli {
 namespace {
@@ -31,28 +32,24 @@ ExitCode law(const Options& options, const Cancellation& cancellation) {
 
 }  // namespace
 
-void add_law(CLI::App& app, Session& session) {
+void add_law(Program& program) {
   auto options = std::make_shared<Options>();
-  auto* verb = app.add_subcommand(
+  Verb verb = program.verb(
       "law", "Exact law of a statistic at finite n, computed without sampling: probabilities right to 1e-15");
-  verb->add_option("--model", options->model,
-                   "model, such as bst or \"beta(10,80)\"; see: ramify list models")
-      ->required();
-  verb->add_option("--n", options->n, "sizes: N[,N..], or from:to:count, a geometric grid")->required();
-  verb->add_option(
+  verb.option("--model", options->model,
+                   "model, such as bst or \"beta(10,80)\"; see: ramify list models", Need::required);
+  verb.option("--n", options->n, "sizes: N[,N..], or from:to:count, a geometric grid", Need::required);
+  verb.option(
           "--statistic", options->statistic,
           "strahler, height, depth, external_depth, fill_level, balance; orders: mean nodes and streams by "
-          "order; with --moments also path_length, sackin, colless")
-      ->required();
-  auto* moments = verb->add_flag("--moments", options->moments,
+          "order; with --moments also path_length, sackin, colless", Need::required);
+  const DeclaredOption moments = verb.flag("--moments", options->moments,
                                  "mean and variance; of orders: of the nodes and streams of every order");
-  verb->add_flag("--covariances", options->covariances, "of orders: of every two counts")->excludes(moments);
-  verb->add_flag("--yes", options->yes, "allow more than an hour");
-  verb->add_option("-o,--output", options->output, "write the table to this file, in one step");
-  verb->footer("Example: ramify law --model \"patricia(1/4.35)\" --n 579 --statistic strahler");
-  verb->callback([&session, options] {
-    session.work = [&session, options] { return law(*options, session.cancellation); };
-  });
+  Verb::exclude(moments, verb.flag("--covariances", options->covariances, "of orders: of every two counts"));
+  verb.flag("--yes", options->yes, "allow more than an hour");
+  verb.option("-o,--output", options->output, "write the table to this file, in one step");
+  verb.example("Example: ramify law --model \"patricia(1/4.35)\" --n 579 --statistic strahler");
+  verb.work([options](const Cancellation& cancellation) { return law(*options, cancellation); });
 }
 
 }  // namespace ramify::cli

@@ -3,6 +3,7 @@
 
 #include "claim.hpp"
 #include "session.hpp"
+#include "verbs.hpp"
 #include <fmt/format.h>
 
 #include "ramify/core/nearest_name.hpp"
@@ -123,22 +124,20 @@ std::string table_of(const std::string& what) {
 
 }  // namespace
 
-void add_list(CLI::App& app, Session& session) {
+void add_list(Program& program) {
   struct Options {
     std::string what, output;
   };
   auto options = std::make_shared<Options>();
-  auto* verb = app.add_subcommand(
+  Verb verb = program.verb(
       "list",
       "List the models, statistics, claims, presets, or what is known of which statistic for which model");
-  verb->add_option("what", options->what, "models, statistics, claims, presets or coverage")->required();
-  verb->add_option("-o,--output", options->output, "write the table to this file");
-  verb->footer("Example: ramify list models");
-  verb->callback([&session, options] {
-    session.work = [options] {
-      emit(table_of(options->what), options->output);
-      return ExitCode::done;
-    };
+  verb.option("what", options->what, "models, statistics, claims, presets or coverage", Need::required);
+  verb.option("-o,--output", options->output, "write the table to this file");
+  verb.example("Example: ramify list models");
+  verb.work([options](const Cancellation&) {
+    emit(table_of(options->what), options->output);
+    return ExitCode::done;
   });
 }
 

@@ -1,15 +1,16 @@
 #include <memory>
 
 #include "session.hpp"
+#include "verbs.hpp"
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "ramify/core/nearest_name.hpp"
-#include "ramify/experiment/measure_json.hpp"
-#include "ramify/experiment/measure_tables.hpp"
-#include "ramify/format/contract_unary.hpp"
+#include "ramify/measure/measure_json.hpp"
+#include "ramify/measure/measure_tables.hpp"
+#include "ramify/tree/contract_unary.hpp"
 #include "ramify/format/read_trees.hpp"
-#include "ramify/io/read_count.hpp"
+#include "ramify/text/read_count.hpp"
 
 namespace ramify::cli {
 namespace {
@@ -97,31 +98,24 @@ ExitCode measure(const Options& options, const Cancellation& cancellation) {
 
 }  // namespace
 
-void add_measure(CLI::App& app, Session& session) {
+void add_measure(Program& program) {
   auto options = std::make_shared<Options>();
-  auto* verb = app.add_subcommand("measure", "Orders, ratios and every statistic of trees read from files");
-  verb->add_option("FILE", options->files, "files of trees, or of counts of streams; - is standard input")
-      ->required();
-  verb->add_option("--format", options->format,
-                   "newick, swc, mtg, qsm, edges, flowlines, parens or json; auto: found by content")
-      ->capture_default_str();
-  verb->add_option("--leaf-order", options->leaf_order, "order of the tips in the table: 0 or 1")
-      ->capture_default_str();
-  verb->add_option("--root", options->root,
+  Verb verb = program.verb("measure", "Orders, ratios and every statistic of trees read from files");
+  verb.option("FILE", options->files, "files of trees, or of counts of streams; - is standard input", Need::required);
+  verb.option("--format", options->format,
+                   "newick, swc, mtg, qsm, edges, flowlines, parens or json; auto: found by content", Need::defaulted);
+  verb.option("--leaf-order", options->leaf_order, "order of the tips in the table: 0 or 1", Need::defaulted);
+  verb.option("--root", options->root,
                    "of a table: the id of the root; all: every root a tree of its own; neurites: what leaves "
                    "the soma of a neuron");
-  verb->add_option("--scale", options->scale, "of an MTG: the scale of the nodes; 0 the finest")
-      ->capture_default_str();
-  verb->add_flag("--keep-unary", options->keep_unary,
+  verb.option("--scale", options->scale, "of an MTG: the scale of the nodes; 0 the finest", Need::defaulted);
+  verb.flag("--keep-unary", options->keep_unary,
                  "count one-child nodes, as in tries, instead of contracting them");
-  verb->add_option("--output", options->output,
-                   "orders, summary (a row a tree), levels (a row a depth), nodes (a row a node) or json")
-      ->capture_default_str();
-  verb->add_option("-o,--out", options->out, "write the table to this file, in one step");
-  verb->footer("Example: ramify measure data/examples/sapling.newick");
-  verb->callback([&session, options] {
-    session.work = [&session, options] { return measure(*options, session.cancellation); };
-  });
+  verb.option("--output", options->output,
+                   "orders, summary (a row a tree), levels (a row a depth), nodes (a row a node) or json", Need::defaulted);
+  verb.option("-o,--out", options->out, "write the table to this file, in one step");
+  verb.example("Example: ramify measure data/examples/sapling.newick");
+  verb.work([options](const Cancellation& cancellation) { return measure(*options, cancellation); });
 }
 
 }  // namespace ramify::cli

@@ -2,11 +2,12 @@
 
 #include "run_config_file.hpp"
 #include "session.hpp"
+#include "verbs.hpp"
 #include <fmt/format.h>
 
 #include "ramify/core/number.hpp"
 #include "ramify/io/atomic_file.hpp"
-#include "ramify/io/read_count.hpp"
+#include "ramify/text/read_count.hpp"
 
 namespace ramify::cli {
 namespace {
@@ -90,20 +91,17 @@ ExitCode reproduce(const Options& options, const Cancellation& cancellation) {
 
 }  // namespace
 
-void add_reproduce(CLI::App& app, Session& session) {
+void add_reproduce(Program& program) {
   auto options = std::make_shared<Options>();
   options->flags.out = "results/runs/reproduce";
-  auto* verb =
-      app.add_subcommand("reproduce", "Run every config of a scale and print the verdict on every claim");
-  verb->add_option("--scale", options->scale, "quick (minutes) or full")->capture_default_str();
-  verb->add_option("--claim", options->claim,
+  Verb verb = program.verb("reproduce", "Run every config of a scale and print the verdict on every claim");
+  verb.option("--scale", options->scale, "quick (minutes) or full", Need::defaulted);
+  verb.option("--claim", options->claim,
                    "only the configs that serve this claim; see: ramify list claims");
-  verb->add_option("--configs", options->configs, "folder with quick/ and full/");
-  options->flags.add_to(*verb);
-  verb->footer("Example: ramify reproduce --scale quick --claim C22");
-  verb->callback([&session, options] {
-    session.work = [&session, options] { return reproduce(*options, session.cancellation); };
-  });
+  verb.option("--configs", options->configs, "folder with quick/ and full/");
+  options->flags.add_to(verb);
+  verb.example("Example: ramify reproduce --scale quick --claim C22");
+  verb.work([options](const Cancellation& cancellation) { return reproduce(*options, cancellation); });
 }
 
 }  // namespace ramify::cli

@@ -2,10 +2,11 @@
 
 #include "run_config_file.hpp"
 #include "session.hpp"
+#include "verbs.hpp"
 #include <fmt/format.h>
 
 #include "ramify/core/number.hpp"
-#include "ramify/io/read_count.hpp"
+#include "ramify/text/read_count.hpp"
 
 namespace ramify::cli {
 namespace {
@@ -51,16 +52,14 @@ ExitCode run(const Options& options, const Cancellation& cancellation) {
 
 }  // namespace
 
-void add_run(CLI::App& app, Session& session) {
+void add_run(Program& program) {
   auto options = std::make_shared<Options>();
   options->flags.out = "results/runs";
-  auto* verb = app.add_subcommand("run", "Run configs: grow, measure, compare, write tables and plots");
-  verb->add_option("config", options->configs, "TOML files (docs/config.md)")->required();
-  options->flags.add_to(*verb);
-  verb->footer("Example: ramify run configs/quick/catalan_order.toml --out results/runs");
-  verb->callback([&session, options] {
-    session.work = [&session, options] { return run(*options, session.cancellation); };
-  });
+  Verb verb = program.verb("run", "Run configs: grow, measure, compare, write tables and plots");
+  verb.option("config", options->configs, "TOML files (docs/config.md)", Need::required);
+  options->flags.add_to(verb);
+  verb.example("Example: ramify run configs/quick/catalan_order.toml --out results/runs");
+  verb.work([options](const Cancellation& cancellation) { return run(*options, cancellation); });
 }
 
 }  // namespace ramify::cli

@@ -6,7 +6,7 @@
 #include "session.hpp"
 #include <fmt/format.h>
 
-#include "ramify/experiment/plan.hpp"
+#include "ramify/run/plan.hpp"
 #include "ramify/io/atomic_file.hpp"
 
 namespace ramify::cli {
@@ -22,13 +22,13 @@ void write_plots(const std::vector<NamedPlot>& plots, const std::filesystem::pat
 
 }  // namespace
 
-void RunFlags::add_to(CLI::App& verb) {
-  verb.add_option("--out", out, "folder for the results")->capture_default_str();
-  verb.add_option("--seed", seed, "use this seed in place of the configs'");
-  verb.add_option("--threads", threads, "threads; all cores if left out. No result depends on it");
-  verb.add_flag("--resume", resume, "take over the cells that an earlier run of the same config completed");
-  verb.add_flag("--dry-run", dry_run, "say what it would cost (nodes, minutes, memory), and stop");
-  verb.add_flag("--yes", yes, "allow more than 10^13 nodes");
+void RunFlags::add_to(Verb& verb) {
+  verb.option("--out", out, "folder for the results", Need::defaulted);
+  verb.option("--seed", seed, "use this seed in place of the configs'");
+  verb.option("--threads", threads, "threads; all cores if left out. No result depends on it");
+  verb.flag("--resume", resume, "take over the cells that an earlier run of the same config completed");
+  verb.flag("--dry-run", dry_run, "say what it would cost (nodes, minutes, memory), and stop");
+  verb.flag("--yes", yes, "allow more than 10^13 nodes");
 }
 
 double total_nodes(const std::vector<RunConfig>& configs) {

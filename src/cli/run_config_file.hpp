@@ -3,12 +3,12 @@
 #include <filesystem>
 #include <string>
 
+#include "program.hpp"
 #include "verdicts.hpp"
-#include <CLI/CLI.hpp>
 
 #include "ramify/core/cancellation.hpp"
 #include "ramify/core/error.hpp"
-#include "ramify/experiment/run.hpp"
+#include "ramify/run/run.hpp"
 
 namespace ramify::cli {
 
@@ -17,7 +17,7 @@ struct RunFlags {
   std::string out, seed, threads;
   bool resume = false, dry_run = false, yes = false;
 
-  void add_to(CLI::App& verb);
+  void add_to(Verb& verb);
 };
 
 /// Nodes, minutes and memory of configs, as --dry-run prints them.

@@ -5,15 +5,16 @@
 #include <thread>
 
 #include "session.hpp"
+#include "verbs.hpp"
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "ramify/core/nearest_name.hpp"
 #include "ramify/core/number.hpp"
-#include "ramify/experiment/tree_batch.hpp"
+#include "ramify/tabulate/tree_batch.hpp"
 #include "ramify/format/write_trees.hpp"
 #include "ramify/io/csv_writer.hpp"
-#include "ramify/io/read_count.hpp"
+#include "ramify/text/read_count.hpp"
 #include "ramify/model/preset.hpp"
 #include "ramify/sample/graft_rule.hpp"
 
@@ -94,35 +95,30 @@ ExitCode sample(const Options& options, const Cancellation& cancellation) {
 
 }  // namespace
 
-void add_sample(CLI::App& app, Session& session) {
+void add_sample(Program& program) {
   auto options = std::make_shared<Options>();
-  auto* verb =
-      app.add_subcommand("sample", "Grow trees of one model and print their statistics, or the trees");
-  verb->add_option("--model", options->model,
+  Verb verb = program.verb("sample", "Grow trees of one model and print their statistics, or the trees");
+  verb.option("--model", options->model,
                    "model, such as bst or \"beta(10,80)\"; see: ramify list models");
-  verb->add_option("--n", options->n, "size: internal nodes, 0 to 2^62");
-  verb->add_option("--preset", options->preset,
+  verb.option("--n", options->n, "size: internal nodes, 0 to 2^62");
+  verb.option("--preset", options->preset,
                    "model and size of a figure; --n takes another size. See: ramify list presets");
-  verb->add_option("--replicates", options->replicates, "number of trees")->capture_default_str();
-  verb->add_option("--replicate", options->replicate, "replay this one alone (counted from 0)");
-  verb->add_option("--seed", options->seed, "seed")->capture_default_str();
-  verb->add_option("--statistics", options->statistics, "comma-separated; see: ramify list statistics")
-      ->capture_default_str();
-  verb->add_option("--format", options->format,
-                   "csv: statistics; newick, edges, swc, parens, json: the trees")
-      ->capture_default_str();
-  verb->add_option("--threads", options->threads,
+  verb.option("--replicates", options->replicates, "number of trees", Need::defaulted);
+  verb.option("--replicate", options->replicate, "replay this one alone (counted from 0)");
+  verb.option("--seed", options->seed, "seed", Need::defaulted);
+  verb.option("--statistics", options->statistics, "comma-separated; see: ramify list statistics", Need::defaulted);
+  verb.option("--format", options->format,
+                   "csv: statistics; newick, edges, swc, parens, json: the trees", Need::defaulted);
+  verb.option("--threads", options->threads,
                    "threads; all cores if left out. The result does not depend on it");
-  verb->add_flag("--no-graft", options->no_graft,
+  verb.flag("--no-graft", options->no_graft,
                  "grow every node, instead of drawing subtrees from their exact laws where that pays");
-  verb->add_flag("--yes", options->yes, "allow more than 10^13 nodes");
-  verb->add_option("-o,--output", options->output, "write to this file, in one step");
-  verb->footer(
+  verb.flag("--yes", options->yes, "allow more than 10^13 nodes");
+  verb.option("-o,--output", options->output, "write to this file, in one step");
+  verb.example(
       "Example: ramify sample --model \"patricia(1/4.35)\" --n 579 --replicates 3 --statistics "
       "strahler,streams");
-  verb->callback([&session, options] {
-    session.work = [&session, options] { return sample(*options, session.cancellation); };
-  });
+  verb.work([options](const Cancellation& cancellation) { return sample(*options, cancellation); });
 }
 
 }  // namespace ramify::cli

@@ -11,9 +11,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "ramify/experiment/plan.hpp"
+#include "ramify/run/plan.hpp"
 #include "ramify/io/atomic_file.hpp"
-#include "ramify/io/read_count.hpp"
+#include "ramify/text/read_count.hpp"
 
 namespace ramify::cli {
 

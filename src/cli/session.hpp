@@ -5,31 +5,11 @@
 #include <string_view>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
 #include "ramify/core/cancellation.hpp"
 #include "ramify/core/error.hpp"
 #include "ramify/tree/grammar.hpp"
 
 namespace ramify::cli {
-
-/// What the verbs share: the flag that Ctrl-C sets, and the work that the chosen verb has put down.
-struct Session {
-  Cancellation cancellation;
-  std::function<ExitCode()> work;
-};
-
-/// Each adds one verb to the program and, when it is chosen, sets session.work.
-void add_list(CLI::App& app, Session& session);
-void add_sample(CLI::App& app, Session& session);
-void add_law(CLI::App& app, Session& session);
-void add_test(CLI::App& app, Session& session);
-void add_measure(CLI::App& app, Session& session);
-void add_trie(CLI::App& app, Session& session);
-void add_theory(CLI::App& app, Session& session);
-void add_run(CLI::App& app, Session& session);
-void add_reproduce(CLI::App& app, Session& session);
-void add_fit(CLI::App& app, Session& session);
 
 /// A comma-separated list, spaces trimmed; commas inside parentheses belong to the item: "beta(1,5),bst" is
 /// two.

@@ -1,14 +1,15 @@
 #include <memory>
 
 #include "session.hpp"
+#include "verbs.hpp"
 #include <fmt/format.h>
 
 #include "ramify/core/number.hpp"
-#include "ramify/experiment/tree_comparison.hpp"
-#include "ramify/format/contract_unary.hpp"
+#include "ramify/compare/tree_comparison.hpp"
+#include "ramify/tree/contract_unary.hpp"
 #include "ramify/format/read_trees.hpp"
 #include "ramify/io/csv_writer.hpp"
-#include "ramify/io/read_count.hpp"
+#include "ramify/text/read_count.hpp"
 
 namespace ramify::cli {
 namespace {
@@ -50,28 +51,23 @@ ExitCode test(const Options& options, const Cancellation& cancellation) {
 
 }  // namespace
 
-void add_test(CLI::App& app, Session& session) {
+void add_test(Program& program) {
   auto options = std::make_shared<Options>();
-  auto* verb = app.add_subcommand(
+  Verb verb = program.verb(
       "test", "Is a tree like trees of a model? Its statistics beside theirs, with p-values");
-  verb->add_option("TREE", options->files, "files of trees; - is standard input")->required();
-  verb->add_option("--format", options->format,
-                   "newick, swc, mtg, qsm, edges, flowlines, parens or json; auto: found by content")
-      ->capture_default_str();
-  verb->add_option("--root", options->root, "of a table: the id of the root, all, or neurites");
-  verb->add_option("--model", options->model,
-                   "model, such as bst or \"beta(10,80)\"; see: ramify list models")
-      ->required();
-  verb->add_option("--replicates", options->replicates, "trees to simulate for what has no exact law")
-      ->capture_default_str();
-  verb->add_option("--seed", options->seed, "seed")->capture_default_str();
-  verb->add_option("--threads", options->threads,
+  verb.option("TREE", options->files, "files of trees; - is standard input", Need::required);
+  verb.option("--format", options->format,
+                   "newick, swc, mtg, qsm, edges, flowlines, parens or json; auto: found by content", Need::defaulted);
+  verb.option("--root", options->root, "of a table: the id of the root, all, or neurites");
+  verb.option("--model", options->model,
+                   "model, such as bst or \"beta(10,80)\"; see: ramify list models", Need::required);
+  verb.option("--replicates", options->replicates, "trees to simulate for what has no exact law", Need::defaulted);
+  verb.option("--seed", options->seed, "seed", Need::defaulted);
+  verb.option("--threads", options->threads,
                    "threads; all cores if left out. The result does not depend on it");
-  verb->add_option("-o,--output", options->output, "write the table to this file, in one step");
-  verb->footer("Example: ramify test my_tree.txt --model bst");
-  verb->callback([&session, options] {
-    session.work = [&session, options] { return test(*options, session.cancellation); };
-  });
+  verb.option("-o,--output", options->output, "write the table to this file, in one step");
+  verb.example("Example: ramify test my_tree.txt --model bst");
+  verb.work([options](const Cancellation& cancellation) { return test(*options, cancellation); });
 }
 
 }  // namespace ramify::cli

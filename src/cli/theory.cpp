@@ -1,4 +1,5 @@
 #include "session.hpp"
+#include "verbs.hpp"
 
 #include "ramify/core/number.hpp"
 #include "ramify/io/csv_writer.hpp"
@@ -20,22 +21,18 @@ std::string constant_table(const std::vector<std::string>& model_texts) {
 
 }  // namespace
 
-void add_theory(CLI::App& app, Session& session) {
+void add_theory(Program& program) {
   struct Options {
     std::string models, output;
   };
   auto options = std::make_shared<Options>();
-  auto* verb =
-      app.add_subcommand("theory", "Limit constants of a model, computed, with formula, error and source");
-  verb->add_option("--model", options->models, "a model, or several separated by commas: \"bst,beta(10,80)\"")
-      ->required();
-  verb->add_option("-o,--output", options->output, "write the table to this file");
-  verb->footer("Example: ramify theory --model \"beta(10,80)\"");
-  verb->callback([&session, options] {
-    session.work = [options] {
-      emit(constant_table(split_list(options->models)), options->output);
-      return ExitCode::done;
-    };
+  Verb verb = program.verb("theory", "Limit constants of a model, computed, with formula, error and source");
+  verb.option("--model", options->models, "a model, or several separated by commas: \"bst,beta(10,80)\"", Need::required);
+  verb.option("-o,--output", options->output, "write the table to this file");
+  verb.example("Example: ramify theory --model \"beta(10,80)\"");
+  verb.work([options](const Cancellation&) {
+    emit(constant_table(split_list(options->models)), options->output);
+    return ExitCode::done;
   });
 }
 

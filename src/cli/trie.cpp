@@ -1,10 +1,11 @@
 #include <memory>
 
 #include "session.hpp"
+#include "verbs.hpp"
 
 #include "ramify/core/number.hpp"
-#include "ramify/experiment/trie_table.hpp"
-#include "ramify/io/read_count.hpp"
+#include "ramify/tabulate/trie_table.hpp"
+#include "ramify/text/read_count.hpp"
 
 namespace ramify::cli {
 namespace {
@@ -37,23 +38,21 @@ ExitCode trie(const Options& options) {
 
 }  // namespace
 
-void add_trie(CLI::App& app, Session& session) {
+void add_trie(Program& program) {
   auto options = std::make_shared<Options>();
-  auto* verb = app.add_subcommand(
+  Verb verb = program.verb(
       "trie", "Cardinalities of a trie's nodes, and the zones of the proof that bounds its balance number");
-  verb->add_option("--p", options->p, "probability of bit 0, which is left")->capture_default_str();
-  verb->add_option("--n", options->n, "number of random strings");
-  verb->add_option("--strings", options->strings, "the strings themselves, 01001,01011,10011");
-  verb->add_option("--epsilon", options->epsilon,
-                   "zone A: n q >= n^epsilon, zone C: n q <= n^-epsilon, B between them")
-      ->capture_default_str();
-  verb->add_flag("--nodes", options->nodes, "a row for every node: path, strings through it, n q, zone");
-  verb->add_option("--replicates", options->replicates, "number of random tries")->capture_default_str();
-  verb->add_option("--seed", options->seed, "seed; the tries are those of sample --model \"trie(p)\"")
-      ->capture_default_str();
-  verb->add_option("-o,--output", options->output, "write the table to this file, in one step");
-  verb->footer("Example: ramify trie --strings 01001,01011,10011,10100,11100 --nodes");
-  verb->callback([&session, options] { session.work = [options] { return trie(*options); }; });
+  verb.option("--p", options->p, "probability of bit 0, which is left", Need::defaulted);
+  verb.option("--n", options->n, "number of random strings");
+  verb.option("--strings", options->strings, "the strings themselves, 01001,01011,10011");
+  verb.option("--epsilon", options->epsilon,
+                   "zone A: n q >= n^epsilon, zone C: n q <= n^-epsilon, B between them", Need::defaulted);
+  verb.flag("--nodes", options->nodes, "a row for every node: path, strings through it, n q, zone");
+  verb.option("--replicates", options->replicates, "number of random tries", Need::defaulted);
+  verb.option("--seed", options->seed, "seed; the tries are those of sample --model \"trie(p)\"", Need::defaulted);
+  verb.option("-o,--output", options->output, "write the table to this file, in one step");
+  verb.example("Example: ramify trie --strings 01001,01011,10011,10100,11100 --nodes");
+  verb.work([options](const Cancellation&) { return trie(*options); });
 }
 
 }  // namespace ramify::cli

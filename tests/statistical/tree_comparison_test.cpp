@@ -1,5 +1,5 @@
 // Is a tree like a model: trees of the model are not rejected more often than they should be, others are.
-#include "ramify/experiment/tree_comparison.hpp"
+#include "ramify/compare/tree_comparison.hpp"
 
 #include <cmath>
 #include <map>

@@ -6,7 +6,7 @@
 #include <zlib.h>
 
 #include "ramify/core/error.hpp"
-#include "ramify/format/contract_unary.hpp"
+#include "ramify/tree/contract_unary.hpp"
 #include "ramify/format/gunzip.hpp"
 #include "ramify/statistic/horton_strahler.hpp"
 #include "ramify/tree/measure.hpp"

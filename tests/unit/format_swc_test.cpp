@@ -4,7 +4,7 @@
 #include "support/tree_files.hpp"
 #include <gtest/gtest.h>
 
-#include "ramify/format/contract_unary.hpp"
+#include "ramify/tree/contract_unary.hpp"
 #include "ramify/tree/parenthesis_word.hpp"
 
 namespace ramify {

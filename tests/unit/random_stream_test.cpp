@@ -3,6 +3,7 @@
 #include <set>
 #include <vector>
 
+#include <Random123/philox.h>
 #include <gtest/gtest.h>
 
 #include "ramify/random/hash.hpp"

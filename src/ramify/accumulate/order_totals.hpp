@@ -4,16 +4,11 @@
 #include <cstdint>
 #include <optional>
 
-#include "ramify/core/wide.hpp"
+#include "ramify/accumulate/estimate.hpp"
+#include "ramify/core/int128.hpp"
 #include "ramify/statistic/horton_strahler.hpp"
 
 namespace ramify {
-
-/// A value with its standard error.
-struct Estimate {
-  double value;
-  double standard_error;
-};
 
 /// Sums over trees of the counts of every order, their squares and the products of neighbours: what the
 /// pooled ratio and its error need. Counts are of nodes or of streams; keep one object for each.

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "ramify/core/contract.hpp"
+#include "ramify/core/int128.hpp"
 
 namespace ramify {
 namespace {

@@ -3,8 +3,6 @@
 #include <cstdint>
 #include <map>
 
-#include "ramify/core/wide.hpp"
-
 namespace ramify {
 
 /// Exact summary of whole numbers: how often each value occurred. Mergeable in any order with the same

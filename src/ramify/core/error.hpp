@@ -6,15 +6,6 @@
 
 namespace ramify {
 
-/// Exit codes of the command line (docs/interface.md).
-enum class ExitCode : int {
-  done = 0,
-  check_failed = 1,
-  bad_input = 2,
-  no_convergence = 3,
-  interrupted = 130
-};
-
 /// Bad input, in one line: "problem (why): what to do".
 ///
 /// The one exception type of ramify; it is caught in main and nowhere else. Broken preconditions inside the

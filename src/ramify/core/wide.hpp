@@ -2,12 +2,7 @@
 
 #include <cstdint>
 
-#include <boost/multiprecision/cpp_int.hpp>
-
 namespace ramify {
-
-/// Exact sums of integer statistics: 64-bit values, their squares and products, over any number of trees.
-using int128 = boost::multiprecision::int128_t;
 
 /// A 128-bit product as its two halves.
 struct WideProduct {

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ramify/format/recorded_tree.hpp"
+#include "ramify/tree/recorded_tree.hpp"
 #include "ramify/text/source_text.hpp"
 
 namespace ramify {

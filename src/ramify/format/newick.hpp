@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "ramify/format/recorded_tree.hpp"
+#include "ramify/tree/recorded_tree.hpp"
 #include "ramify/text/source_text.hpp"
 
 namespace ramify {

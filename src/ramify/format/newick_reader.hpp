@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "ramify/format/recorded_tree.hpp"
+#include "ramify/tree/recorded_tree.hpp"
 #include "ramify/text/source_text.hpp"
 
 namespace ramify::detail {

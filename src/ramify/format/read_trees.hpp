@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ramify/format/read_options.hpp"
-#include "ramify/format/recorded_tree.hpp"
+#include "ramify/tree/recorded_tree.hpp"
 #include "ramify/format/tree_format.hpp"
 
 namespace ramify {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "ramify/format/read_options.hpp"
-#include "ramify/format/recorded_tree.hpp"
+#include "ramify/tree/recorded_tree.hpp"
 #include "ramify/text/source_text.hpp"
 
 namespace ramify {

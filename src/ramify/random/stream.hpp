@@ -4,8 +4,6 @@
 #include <cstdint>
 #include <limits>
 
-#include <Random123/philox.h>
-
 namespace ramify {
 
 /// What a replicate's random numbers depend on: nothing else does, so a tree can be replayed alone.
@@ -31,7 +29,7 @@ class Stream {
   using result_type = std::uint64_t;
 
   Stream(StreamKey key, std::uint64_t replicate, Lane lane = Lane::growth) noexcept
-      : key_{{key.seed, key.cell}}, counter_{{0, replicate, static_cast<std::uint64_t>(lane), 0}} {}
+      : key_{key.seed, key.cell}, counter_{0, replicate, static_cast<std::uint64_t>(lane), 0} {}
 
   static constexpr result_type min() { return 0; }
   static constexpr result_type max() { return std::numeric_limits<result_type>::max(); }
@@ -48,8 +46,9 @@ class Stream {
 
   void refill() noexcept;  // out of line: the growing loop keeps the registers
 
-  r123::Philox4x64::key_type key_;
-  r123::Philox4x64::ctr_type counter_;
+  // As words: the generator's own header is the source's alone.
+  std::array<std::uint64_t, 2> key_;
+  std::array<std::uint64_t, 4> counter_;
   std::array<std::uint64_t, blocks * block_words> words_{};
   std::size_t next_ = blocks * block_words;
 };

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "exit_code.hpp"
+
+#include "ramify/core/cancellation.hpp"
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace ramify::cli {
+
+/// How an option is shown, and whether it may be left out.
+enum class Need {
+  optional,
+  defaulted,  ///< help shows the value it has where it is left out
+  required,
+};
+
+/// An option that was declared, to be named in a rule.
+struct DeclaredOption {
+  CLI::Option* option;
+};
+
+/// One verb while it is declared. The command-line library stays behind it: one file pays for its headers.
+///
+/// Values must live until the program has run: keep them in what `work` captures.
+class Verb {
+ public:
+  using Work = std::function<ExitCode(const Cancellation&)>;
+
+  Verb(CLI::App& app, Work& chosen) : app_(&app), chosen_(&chosen) {}
+
+  /// @param names  "--n", "-o,--output", or a bare name where it is known by its place
+  DeclaredOption option(const std::string& names, std::string& value, const std::string& what,
+                        Need need = Need::optional);
+  /// One or more values.
+  DeclaredOption option(const std::string& names, std::vector<std::string>& values, const std::string& what,
+                        Need need = Need::optional);
+  DeclaredOption flag(const std::string& names, bool& value, const std::string& what);
+  /// The two are not given together.
+  static void exclude(DeclaredOption one, DeclaredOption other);
+  /// Ends the help of the verb.
+  void example(const std::string& text);
+  /// What the verb does, once it is chosen and its options are read.
+  void work(Work work);
+
+ private:
+  CLI::App* app_;
+  Work* chosen_;
+};
+
+/// The command line: verbs, and the flag that Ctrl-C sets.
+class Program {
+ public:
+  Program();
+  Program(const Program&) = delete;
+  Program(Program&&) = delete;
+  Program& operator=(const Program&) = delete;
+  Program& operator=(Program&&) = delete;
+  ~Program();
+
+  Verb verb(const std::string& name, const std::string& description);
+
+  /// What long work looks at.
+  Cancellation& cancellation() { return cancellation_; }
+
+  /// Reads the arguments and does the work of the verb they name; the exit code.
+  int run(int argc, const char* const* argv);
+
+ private:
+  int refuse(const std::exception& error, const std::string& given) const;
+
+  std::unique_ptr<CLI::App> app_;
+  Cancellation cancellation_;
+  Verb::Work work_;
+};
+
+}  // namespace ramify::cli

@@ -1,0 +1,147 @@
+#include "ramify/measure/measure_tables.hpp"
+
+#include <algorithm>
+
+#include "ramify/measure/registry_columns.hpp"
+#include "ramify/io/csv_writer.hpp"
+#include "ramify/statistic/node_labels.hpp"
+#include "ramify/statistic/stream_geometry.hpp"
+#include "ramify/tree/each_edge.hpp"
+
+namespace ramify {
+namespace {
+
+template <class Trees, class Has>
+bool any(const Trees& trees, Has has) {
+  return std::ranges::any_of(trees, has);
+}
+
+/// Length and radius of an order, or of a node: a field each where the table has the column.
+void add_geometry(CsvRow& row, bool has_column, const std::vector<double>& values, std::size_t place) {
+  if (!has_column) return;
+  if (values.empty()) {
+    row.text("");
+  } else {
+    row.summary(values[place]);
+  }
+}
+
+void add_ratios(CsvRow& row, const std::vector<double>& means) {
+  const MeanRatios ratios = mean_ratios(means);
+  row.summary(ratios.mean_ratio).summary(ratios.regression).summary(ratios.geometric);
+}
+
+std::vector<std::string> ratio_columns(const std::string& what) {
+  return {what + "_mean_ratio", what + "_regression", what + "_geometric"};
+}
+
+}  // namespace
+
+std::string orders_table(const std::vector<MeasuredOrders>& trees, unsigned leaf_order) {
+  const bool lengths = any(trees, [](const auto& tree) { return !tree.mean_lengths.empty(); });
+  const bool radii = any(trees, [](const auto& tree) { return !tree.mean_radii.empty(); });
+  std::vector<std::string> header{"tree", "leaf_order", "order", "nodes", "streams"};
+  if (lengths) header.emplace_back("mean_length");
+  if (radii) header.emplace_back("mean_radius");
+  CsvTable table(std::move(header));
+  for (const MeasuredOrders& tree : trees) {
+    for (std::size_t k = 0; k < tree.streams.size(); ++k) {
+      CsvRow row;
+      row.text(tree.name).whole(leaf_order).whole(k + leaf_order);
+      if (tree.nodes.empty()) {
+        row.text("");
+      } else {
+        row.whole(tree.nodes[k]);
+      }
+      row.whole(tree.streams[k]);
+      add_geometry(row, lengths, tree.mean_lengths, k);
+      add_geometry(row, radii, tree.mean_radii, k);
+      table.add(row);
+    }
+  }
+  return table.text();
+}
+
+std::string summary_table(const std::vector<TreeMeasurement>& trees, unsigned leaf_order) {
+  const bool lengths = any(trees, [](const auto& tree) { return !tree.orders.mean_lengths.empty(); });
+  const bool radii = any(trees, [](const auto& tree) { return !tree.orders.mean_radii.empty(); });
+  std::size_t largest = 0;
+  for (const auto& tree : trees) largest = std::max(largest, tree.orders.streams.size() - 1);
+  const auto columns = detail::registry_columns(largest, leaf_order);
+  std::vector<std::string> header{"tree", "leaf_order"};
+  for (const auto& column : columns) header.push_back(column.name);
+  header.insert(header.end(), {"nodes_pooled_ratio", "streams_pooled_ratio"});
+  if (lengths) std::ranges::copy(ratio_columns("length"), std::back_inserter(header));
+  if (radii) {
+    std::ranges::copy(ratio_columns("radius"), std::back_inserter(header));
+    header.insert(header.end(), {"murray_exponent", "murray_forks", "murray_infinite"});
+  }
+  CsvTable table(std::move(header));
+  for (const TreeMeasurement& tree : trees) {
+    CsvRow row;
+    row.text(tree.orders.name).whole(leaf_order);
+    for (const auto& column : columns) row.summary(detail::value_of(column, tree, leaf_order));
+    row.summary(pooled_over_orders(tree.orders.nodes)).summary(pooled_over_orders(tree.orders.streams));
+    if (lengths) add_ratios(row, tree.orders.mean_lengths);
+    if (radii) {
+      add_ratios(row, tree.orders.mean_radii);
+      row.summary(tree.murray.median).whole(tree.murray.forks).whole(tree.murray.infinite);
+    }
+    table.add(row);
+  }
+  return table.text();
+}
+
+std::string level_header() {
+  return "tree,depth,nodes,external_nodes\n";
+}
+
+std::string level_rows(const RecordedTree& tree) {
+  struct Level {
+    std::uint64_t nodes = 0, external_nodes = 0;
+  };
+  const auto depth = depths(tree.tree);
+  std::vector<Level> levels(*std::ranges::max_element(depth));
+  for (std::size_t node = 0; node < depth.size(); ++node) {
+    Level& level = levels[depth[node] - 1];
+    ++level.nodes;
+    if (tree.tree.arity(node) == 0) ++level.external_nodes;
+  }
+  std::string text;
+  for (std::size_t i = 0; i < levels.size(); ++i)
+    append_csv_row(text, CsvRow()
+                             .text(tree.name)
+                             .whole(i + 1)
+                             .whole(levels[i].nodes)
+                             .whole(levels[i].external_nodes)
+                             .fields());
+  return text;
+}
+
+std::string node_header() {
+  return "tree,node,parent,name,leaf_order,order,horsfield,horsfield_from_root,depth,magnitude,main,"
+         "secondary,"
+         "length,radius\n";
+}
+
+std::string node_rows(const RecordedTree& tree, unsigned leaf_order) {
+  const auto orders = strahler_orders(tree.tree);
+  const auto horsfield = horsfield_orders(tree.tree), from_root = horsfield_orders_from_root(tree.tree);
+  const auto depth = depths(tree.tree);
+  const auto magnitude = magnitudes(tree.tree);
+  const auto paths = path_nodes(tree.tree, MainChild::highest_order);
+  const auto parents = parent_numbers(tree.tree);
+  std::string text;
+  for (std::size_t node = 0; node < parents.size(); ++node) {
+    CsvRow row;
+    row.text(tree.name).whole(node + 1).whole(parents[node]).text(tree.names[node]).whole(leaf_order);
+    row.whole(orders[node] + leaf_order).whole(horsfield[node]).whole(from_root[node]).whole(depth[node]);
+    row.whole(magnitude[node]).whole(paths[node].main).whole(paths[node].secondary);
+    add_geometry(row, true, tree.lengths, node);
+    add_geometry(row, true, tree.radii, node);
+    append_csv_row(text, row.fields());
+  }
+  return text;
+}
+
+}  // namespace ramify

@@ -1,0 +1,108 @@
+#include "ramify/run/cell_accumulator.hpp"
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace ramify {
+namespace {
+
+constexpr Estimate none{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
+
+template <class Summary>
+ColumnSummary moments_of(const Summary& values) {
+  ColumnSummary summary;
+  summary.trees = values.count();
+  summary.mean = values.mean();
+  summary.variance = values.variance();
+  summary.standard_error = std::sqrt(summary.variance / static_cast<double>(values.count()));
+  return summary;
+}
+
+ColumnSummary summarise_whole(const WholeSummary& values) {
+  ColumnSummary summary = moments_of(values);
+  summary.min = static_cast<double>(values.min());
+  summary.q05 = static_cast<double>(values.quantile(0.05));
+  summary.q50 = static_cast<double>(values.quantile(0.5));
+  summary.q95 = static_cast<double>(values.quantile(0.95));
+  summary.max = static_cast<double>(values.max());
+  if (values.occurrences().size() <= ColumnSummary::histogram_values)
+    summary.histogram.assign(values.occurrences().begin(), values.occurrences().end());
+  return summary;
+}
+
+ColumnSummary summarise_real(const RealSummary& values) {
+  ColumnSummary summary = moments_of(values);
+  if (values.count() == 0) return summary;
+  const auto quantiles = values.quantiles({1e-300, 0.05, 0.5, 0.95, 1});
+  summary.min = quantiles[0];
+  summary.q05 = quantiles[1];
+  summary.q50 = quantiles[2];
+  summary.q95 = quantiles[3];
+  summary.max = quantiles[4];
+  return summary;
+}
+
+}  // namespace
+
+const ColumnSummary& CellResult::column(const std::string& name) const {
+  for (const auto& summary : columns)
+    if (summary.name == name) return summary;
+  throw std::out_of_range("no column " + name);
+}
+
+CellAccumulator::CellAccumulator(const StatisticSet& statistics, std::size_t largest_order)
+    : columns_(statistics.columns(largest_order)),
+      counts_orders_(statistics.contains("nodes") || statistics.contains("streams")) {
+  std::size_t wholes = 0, reals = 0;
+  for (const auto& column : columns_) slot_.push_back(column.statistic->real ? reals++ : wholes++);
+  wholes_.resize(wholes);
+  reals_.resize(reals);
+}
+
+void CellAccumulator::add(const TreeMeasures& measures) {
+  write_statistics(columns_, measures, row_);
+  for (std::size_t i = 0; i < row_.size(); ++i) {
+    if (columns_[i].statistic->real)
+      reals_[slot_[i]].add(row_[i].real);
+    else
+      wholes_[slot_[i]].add(row_[i].whole);
+  }
+  if (!counts_orders_) return;
+  nodes_.add(measures.nodes, measures.strahler);
+  streams_.add(measures.streams, measures.strahler);
+}
+
+void CellAccumulator::merge(const CellAccumulator& later) {
+  for (std::size_t i = 0; i < wholes_.size(); ++i) wholes_[i].merge(later.wholes_[i]);
+  for (std::size_t i = 0; i < reals_.size(); ++i) reals_[i].merge(later.reals_[i]);
+  nodes_.merge(later.nodes_);
+  streams_.merge(later.streams_);
+}
+
+std::vector<ColumnSummary> CellAccumulator::summarise() const {
+  std::vector<ColumnSummary> columns;
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    columns.push_back(columns_[i].statistic->real ? summarise_real(reals_[slot_[i]])
+                                                  : summarise_whole(wholes_[slot_[i]]));
+    columns.back().name = columns_[i].name;
+  }
+  return columns;
+}
+
+std::vector<OrderSummary> CellAccumulator::summarise_orders() const {
+  std::vector<OrderSummary> orders;
+  for (std::size_t k = 0; k <= nodes_.highest(); ++k) {
+    const bool top = k == nodes_.highest();
+    orders.push_back({nodes_.mean(k), streams_.mean(k), top ? none : nodes_.pooled_ratio(k),
+                      top ? none : streams_.pooled_ratio(k)});
+  }
+  return orders;
+}
+
+CellResult CellAccumulator::result(const Cell& cell) const {
+  return {cell.model.text(), cell.n, cell.replicates, summarise(),
+          counts_orders_ ? summarise_orders() : std::vector<OrderSummary>()};
+}
+
+}  // namespace ramify

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <vector>
+
+#include "ramify/accumulate/order_totals.hpp"
+#include "ramify/accumulate/real_summary.hpp"
+#include "ramify/accumulate/whole_summary.hpp"
+#include "ramify/run/cell_result.hpp"
+#include "ramify/run/plan.hpp"
+#include "ramify/statistic/tree_measures.hpp"
+
+namespace ramify {
+
+/// Sums up the trees of one block of replicates, or of a whole cell once the blocks are merged in order.
+class CellAccumulator {
+ public:
+  /// @param largest_order  of the cell's trees
+  CellAccumulator(const StatisticSet& statistics, std::size_t largest_order);
+
+  void add(const TreeMeasures& measures);
+  /// The trees of `later` follow those of this one.
+  void merge(const CellAccumulator& later);
+
+  CellResult result(const Cell& cell) const;
+
+ private:
+  std::vector<ColumnSummary> summarise() const;
+  std::vector<OrderSummary> summarise_orders() const;
+
+  std::vector<StatisticSet::Column> columns_;
+  bool counts_orders_;
+  std::vector<StatisticValue> row_;
+  std::vector<std::size_t> slot_;  // of each column: index into wholes_ or reals_
+  std::vector<WholeSummary> wholes_;
+  std::vector<RealSummary> reals_;
+  OrderTotals nodes_, streams_;
+};
+
+}  // namespace ramify

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "ramify/run/plan.hpp"
+#include "ramify/run/run_tables.hpp"
+
+namespace ramify {
+
+/// A finished cell: its index in the plan and its result.
+struct FinishedCell {
+  std::size_t index;
+  CellResult result;
+};
+
+/// Puts the exact finite-n mean and the z-score beside every sampled mean whose law is in reach. The laws of
+/// one model are computed once, models on up to `threads` threads; the outcome does not depend on that.
+std::vector<CheckedCell> check_against_exact_laws(const Plan& plan, std::vector<FinishedCell> cells,
+                                                  unsigned threads);
+
+/// The same without any check: what a stopped run has time for.
+std::vector<CheckedCell> unchecked(std::vector<FinishedCell> cells);
+
+}  // namespace ramify

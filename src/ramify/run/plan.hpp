@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "ramify/config/run_config.hpp"
+#include "ramify/model/registry.hpp"
+#include "ramify/sample/sampling_method.hpp"
+#include "ramify/statistic/registry.hpp"
+
+namespace ramify {
+
+/// One cell of an experiment: so many trees of one model and one size.
+struct Cell {
+  Model model;
+  Size n;
+  std::uint64_t replicates;
+};
+
+/// What a run does: cells in the order of the config, the statistics measured in all of them and how their
+/// trees are sampled, the seed.
+struct Plan {
+  std::uint64_t seed;
+  StatisticSet statistics;
+  SamplingMethod method;
+  std::vector<Cell> cells;
+};
+
+Plan make_plan(const RunConfig& config);
+
+/// What a plan costs before it is started.
+struct WorkEstimate {
+  double nodes;      ///< internal nodes that are grown, those of grafted subtrees left out
+  double minutes;    ///< at 25 ns a node and thread, 60 where subtrees are grafted: a guess, not a promise
+  double megabytes;  ///< peak memory, as far as it depends on the plan
+};
+
+WorkEstimate estimate_work(const Plan& plan, unsigned threads);
+
+/// Work above this many nodes is refused without --yes.
+inline constexpr double large_work = 1e13;
+
+}  // namespace ramify

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <vector>
+
+#include "ramify/core/cancellation.hpp"
+#include "ramify/run/run_tables.hpp"
+#include "ramify/config/run_config.hpp"
+
+namespace ramify {
+
+struct RunOptions {
+  std::filesystem::path folder;  ///< of this run; made at the end, in one step, from "<folder>.incomplete"
+  unsigned threads = 1;
+  bool resume =
+      false;  ///< take over the cells a stopped run left in "<folder>.incomplete", or all of a finished run
+  std::function<void(double done, double total)> progress;  ///< nodes; may be empty
+};
+
+struct RunOutcome {
+  std::vector<CheckedCell> cells;  ///< those that are complete, in the order of the plan
+  bool finished;                   ///< false where the user stopped it
+  std::filesystem::path folder;    ///< where the tables lie: options.folder, or "<folder>.incomplete"
+};
+
+/// Runs a config: grows the trees of all its cells, checks the means against exact laws, writes the tables,
+/// plots and provenance.
+///
+/// Throws Error before any work where the folder cannot be written. A stopped run keeps its complete cells in
+/// "<folder>.incomplete", with tables of them and a provenance that says so.
+RunOutcome run_experiment(const RunConfig& config, const RunOptions& options,
+                          const Cancellation& cancellation);
+
+}  // namespace ramify

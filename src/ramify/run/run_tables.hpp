@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ramify/run/cell_result.hpp"
+
+namespace ramify {
+
+/// The exact value beside a sampled mean, where a law is in reach: the mean, and how many standard errors the
+/// sample lies off.
+struct ExactCheck {
+  double exact_mean;
+  double z;
+};
+
+/// A finished cell with its place in the plan (from 1) and, column by column, the exact checks.
+struct CheckedCell {
+  std::size_t number;
+  CellResult result;
+  std::vector<std::optional<ExactCheck>> checks;
+
+  /// The largest |z| of the checks; nothing where there is none.
+  std::optional<double> worst_z() const;
+};
+
+/// summary.csv (INTERFACE: run).
+std::string summary_table(const std::vector<CheckedCell>& cells);
+
+/// orders.csv: mean counts and pooled ratios of every order, nodes and streams, leaf order 0.
+std::string orders_table(const std::vector<CheckedCell>& cells);
+
+/// histograms.csv: how many trees had which value, where the support is small.
+std::string histograms_table(const std::vector<CheckedCell>& cells);
+
+}  // namespace ramify

@@ -1,0 +1,80 @@
+#include "ramify/tabulate/trie_table.hpp"
+
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "ramify/io/csv_writer.hpp"
+#include "ramify/model/parameter.hpp"
+#include "ramify/model/registry.hpp"
+
+namespace ramify {
+namespace {
+
+/// look(replicate, strings) for every trie of the request.
+template <class Look>
+void each_trie(const TrieRequest& request, Look look) {
+  require_probability("trie(p)", "p", request.rule.p);
+  require_positive("trie", "epsilon", request.rule.epsilon);
+  if (!request.strings.empty()) {
+    GivenTrieStrings strings(request.strings);
+    look(0, strings);
+    return;
+  }
+  const StreamKey key{request.seed,
+                      Model::parse(fmt::format("trie({})", request.rule.p)).stream_cell(request.rule.n)};
+  for (std::uint64_t replicate = 0; replicate < request.replicates; ++replicate) {
+    RandomTrieStrings strings(request.rule.n, request.rule.p, key, replicate);
+    look(replicate, strings);
+  }
+}
+
+}  // namespace
+
+std::string trie_zone_table(const TrieRequest& request) {
+  CsvTable table({"p", "n", "epsilon", "replicate", "nodes_a", "nodes_b", "nodes_c", "exceptions",
+                  "largest_b_star", "b_star_bound", "longest_b", "longest_b_bound", "balance",
+                  "balance_bound"});
+  const TrieZoneRule& rule = request.rule;
+  each_trie(request, [&](std::uint64_t replicate, TrieStrings& strings) {
+    const TrieZones zones = measure_trie_zones(rule, strings, {});
+    table.add(CsvRow()
+                  .summary(rule.p)
+                  .whole(rule.n)
+                  .summary(rule.epsilon)
+                  .whole(replicate)
+                  .whole(zones.nodes_a)
+                  .whole(zones.nodes_b)
+                  .whole(zones.nodes_c)
+                  .whole(zones.exceptions)
+                  .whole(zones.largest_b_star)
+                  .summary(b_star_bound(rule))
+                  .whole(zones.longest_b)
+                  .summary(longest_b_bound(rule))
+                  .whole(zones.balance)
+                  .summary(trie_balance_bound(rule)));
+  });
+  return table.text();
+}
+
+std::string trie_node_table(const TrieRequest& request) {
+  constexpr std::array<const char*, 3> names{"A", "B", "C"};
+  CsvTable table({"replicate", "path", "level", "strings", "expected_strings", "probability", "zone"});
+  each_trie(request, [&](std::uint64_t replicate, TrieStrings& strings) {
+    measure_trie_zones(request.rule, strings, [&](const TrieNode& node) {
+      const double q = std::exp(node.log_q);
+      table.add(CsvRow()
+                    .whole(replicate)
+                    .text(node.path)
+                    .whole(node.path.size())
+                    .whole(node.strings)
+                    .summary(static_cast<double>(request.rule.n) * q)
+                    .summary(q)
+                    .text(names[static_cast<std::size_t>(node.zone)]));
+    });
+  });
+  return table.text();
+}
+
+}  // namespace ramify

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ramify/tree/node_names.hpp"
+#include "ramify/tree/tree.hpp"
+
+namespace ramify {
+
+/// A tree as somebody recorded it: the branching, and what the file says of every node, by its preorder
+/// place.
+///
+/// A node stands for the piece of branch between its parent and itself. Lengths and radii are in the file's
+/// own unit; the vectors are empty where the file has none, an element is NaN where one node has none.
+struct RecordedTree {
+  std::string name;  ///< the file, and the place in it where it holds several trees
+  Tree tree;
+  std::vector<double> lengths;
+  std::vector<double> radii;
+  NodeNames names;  ///< labels or ids
+};
+
+}  // namespace ramify

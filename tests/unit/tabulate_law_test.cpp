@@ -1,0 +1,185 @@
+// What `ramify law` is asked for, what it refuses, and what it prints.
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "ramify/core/error.hpp"
+#include "ramify/tabulate/law_request.hpp"
+#include "ramify/tabulate/law_table.hpp"
+
+namespace ramify {
+namespace {
+
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+LawRequest request(const char* model, const char* statistic, std::vector<Size> sizes,
+                   LawQuantity quantity = LawQuantity::law) {
+  return {Model::parse(model), statistic, quantity, std::move(sizes)};
+}
+
+std::string refusal(const LawRequest& request, const LawCost& limit) {
+  try {
+    require_computable(request, limit);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// The number behind "--n " in a message.
+Size suggested(const std::string& message) {
+  return std::stoull(message.substr(message.find("--n ") + 4));
+}
+
+TEST(LawRequest, OfAStatisticWithoutALawNamesThoseThatHaveOne) {
+  const std::string message = refusal(request("bst", "size", {10}), {unlimited, unlimited});
+  EXPECT_NE(message.find("strahler, height, depth, external_depth, fill_level, balance, orders, path_length"),
+            std::string::npos)
+      << message;
+  EXPECT_NE(refusal(request("bst", "heigth", {10}), {unlimited, unlimited}).find("did you mean height"),
+            std::string::npos);
+}
+
+TEST(LawRequest, OfCovariancesIsForOrdersAlone) {
+  for (const auto& statistic : law_statistics())
+    EXPECT_EQ(
+        refusal(request("bst", statistic.c_str(), {10}, LawQuantity::covariances), {unlimited, unlimited})
+            .empty(),
+        statistic == "orders")
+        << statistic;
+}
+
+TEST(LawRequest, OfASumIsForItsMomentsAlone) {
+  for (const auto& statistic : moment_statistics()) {
+    const auto refused = [&](LawQuantity quantity) {
+      return refusal(request("bst", statistic.c_str(), {10}, quantity), {unlimited, unlimited});
+    };
+    EXPECT_NE(refused(LawQuantity::law).find("--moments"), std::string::npos) << statistic;
+    EXPECT_NE(refused(LawQuantity::covariances), "") << statistic;
+    EXPECT_EQ(refused(LawQuantity::moments), "") << statistic;
+  }
+}
+
+TEST(LawRequest, AboveTheModelsLargestSizeIsRefusedWhateverTheLimit) {
+  const Size above = (Size{1} << 50) + 1;
+  EXPECT_NE(refusal(request("catalan", "depth", {10, above, 20}), {unlimited, unlimited}).find("sizes up to"),
+            std::string::npos);
+}
+
+class LawLimit : public testing::TestWithParam<const char*> {};
+
+TEST_P(LawLimit, IsKeptAndTheSizeSuggestedIsNearIt) {
+  for (const auto& statistic : law_statistics()) {
+    for (const LawCost& limit : {LawCost{1e9, unlimited}, LawCost{unlimited, 10}, LawCost{1e8, 100}}) {
+      const std::string message = refusal(request(GetParam(), statistic.c_str(), {Size{1} << 40}), limit);
+      ASSERT_NE(message, "") << statistic;
+      EXPECT_NE(message.find(limit.bytes < unlimited ? "of memory" : "takes about"), std::string::npos)
+          << message;
+      const Size fits = suggested(message);
+      EXPECT_EQ(refusal(request(GetParam(), statistic.c_str(), {fits}), limit), "") << message;
+      EXPECT_NE(refusal(request(GetParam(), statistic.c_str(), {fits + fits / 8}), limit), "") << message;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, LawLimit,
+                         testing::Values("bst", "beta(2,5)", "beta(0.01,0.01)", "beta(1e9,1e9)",
+                                         "beta_multinomial(2,5)", "split(0.25)", "dst(0.3)", "patricia(1e-9)",
+                                         "catalan", "aldous(-1.9)", "aldous(-1)", "aldous(-0.99)",
+                                         "aldous(2)", "complete", "chain"));
+
+TEST(LawLimit, GrowsWithEverySize) {
+  for (const char* text :
+       {"bst", "beta(0.1,0.1)", "beta(1e300,1e-300)", "beta_multinomial(0.1,0.1)", "split(0.01)",
+        "patricia(0.5)", "catalan", "aldous(-1.9)", "aldous(-1)", "aldous(-0.999)", "complete", "chain"}) {
+    for (const LawKind kind :
+         {LawKind::bounded, LawKind::height, LawKind::depth, LawKind::order_means, LawKind::order_moments}) {
+      LawCost last{0, 0};
+      for (Size n = 1; n <= Size{1} << 50; n *= 2) {
+        const LawCost cost = law_cost(Model::parse(text), kind, n);
+        EXPECT_GT(cost.bytes, last.bytes) << text << ' ' << n;
+        EXPECT_GT(cost.seconds, last.seconds) << text << ' ' << n;
+        last = cost;
+      }
+    }
+  }
+}
+
+std::vector<std::string> lines(const std::string& text) {
+  std::vector<std::string> found;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) found.push_back(line);
+  return found;
+}
+
+TEST(LawTable, OfEveryStatisticSumsToOneAtEverySize) {
+  for (const char* model : {"bst", "split(0.25)", "patricia(0.23)"}) {
+    for (const char* statistic : {"strahler", "height", "depth", "fill_level", "balance"}) {
+      const auto rows = lines(law_table(request(model, statistic, {60, 0, 1, 7}), {}));
+      double sum = 0;
+      std::vector<std::string> sizes;
+      for (std::size_t i = 1; i < rows.size(); ++i) {
+        const double probability = std::stod(rows[i].substr(rows[i].rfind(',') + 1));
+        EXPECT_GT(probability, 0) << rows[i];
+        sum += probability;
+        const std::string size = rows[i].substr(rows[i].find(',') + 1, 2);
+        if (sizes.empty() || sizes.back() != size) sizes.push_back(size);
+      }
+      EXPECT_NEAR(sum, 4, 1e-13) << model << ' ' << statistic;
+      EXPECT_EQ(sizes, (std::vector<std::string>{"60", "0,", "1,", "7,"})) << model << ' ' << statistic;
+    }
+  }
+}
+
+TEST(LawTable, HeightKeepsItsUpperTail) {
+  // A chain of n nodes, left and right freely: 2^(n-1)/n! of a BST.
+  const auto rows = lines(law_table(request("bst", "height", {14}), {}));
+  double chain = 1;
+  for (int n = 2; n <= 14; ++n) chain *= 2.0 / n;
+  ASSERT_TRUE(rows.back().starts_with("bst,14,height,15,")) << rows.back();
+  EXPECT_NEAR(std::stod(rows.back().substr(17)) / chain, 1, 1e-13);
+}
+
+TEST(LawTable, MomentsOfOrdersAreThoseOfTheirCounts) {
+  const auto rows = lines(law_table(request("bst", "orders", {0, 3}, LawQuantity::moments), {}));
+  ASSERT_EQ(rows.size(), 9u);
+  EXPECT_EQ(rows[1], "bst,0,nodes_0,1,0");
+  EXPECT_EQ(rows[2], "bst,0,streams_0,1,0");
+  EXPECT_EQ(rows[3], "bst,3,nodes_0,4,0");
+  EXPECT_TRUE(rows[4].starts_with("bst,3,nodes_1,2.666666666666")) << rows[4];
+  EXPECT_TRUE(rows[8].starts_with("bst,3,streams_2,0.333333333333")) << rows[8];
+}
+
+TEST(LawTable, CovariancesAreOfEveryTwoCounts) {
+  const auto rows = lines(law_table(request("bst", "orders", {3}, LawQuantity::covariances), {}));
+  EXPECT_EQ(rows.size(), 1u + 6 * 7 / 2);
+  EXPECT_EQ(rows[0], "model,n,leaf_order,first,second,covariance");
+  EXPECT_EQ(rows[1], "bst,3,0,nodes_0,nodes_0,0");
+  EXPECT_TRUE(rows.back().starts_with("bst,3,0,streams_2,streams_2,0.2222222222222")) << rows.back();
+}
+
+// Of size 2 there are chains alone: external nodes at the depths 2, 3, 3, and one internal node below the
+// root.
+TEST(LawTable, OfExternalDepthsAndSums) {
+  const Cancellation never;
+  EXPECT_EQ(law_table(request("split(0.25)", "external_depth", {2}), never),
+            "model,n,statistic,value,probability\nsplit(0.25),2,external_depth,2,0.3333333333333333\n"
+            "split(0.25),2,external_depth,3,0.6666666666666666\n");
+  for (const auto& [statistic, mean] :
+       {std::pair{"path_length", 1}, std::pair{"sackin", 5}, std::pair{"colless", 1}})
+    EXPECT_EQ(law_table(request("bst", statistic, {2}, LawQuantity::moments), never),
+              fmt::format("model,n,statistic,mean,variance\nbst,2,{},{},0\n", statistic, mean));
+}
+
+TEST(LawTable, StopsWhenCancelled) {
+  Cancellation cancellation;
+  cancellation.request();
+  for (const auto& statistic : law_statistics())
+    EXPECT_THROW(law_table(request("bst", statistic.c_str(), {5}), cancellation), Interrupted) << statistic;
+}
+
+}  // namespace
+}  // namespace ramify
