@@ -17,7 +17,7 @@ struct Options {
 
 FitOptions fit_options(const Options& options) {
   FitOptions fit;
-  fit.model = options.model;
+  fit.model = &require_fittable(options.model);
   fit.seed = read_count("--seed", options.seed);
   fit.threads = read_threads(options.threads);
   if (!options.n.empty()) fit.n = read_count("--n", options.n);
@@ -57,13 +57,13 @@ void add_fit(Program& program) {
   auto options = std::make_shared<Options>();
   Verb verb = program.verb("fit", "Fit the split parameter of a model to measured bifurcation ratios");
   verb.option("data", options->files,
-                   "CSV: ratios (name,ratio,max_order,branches) or stream counts (order,count)", Need::required);
+              "CSV: ratios (name,ratio,max_order,branches) or stream counts (order,count)", Need::required);
   verb.option("--model", options->model, "patricia or dst", Need::defaulted);
   verb.option("--observable", options->observable, "what is fitted: ratio", Need::defaulted);
   verb.option("--n", options->n, "internal nodes, in place of the size in the data");
   verb.option("--seed", options->seed, "seed", Need::defaulted);
   verb.option("--threads", options->threads,
-                   "threads; all cores if left out. The result does not depend on it");
+              "threads; all cores if left out. The result does not depend on it");
   verb.option("--format", options->format, "table or csv", Need::defaulted);
   verb.option("-o,--output", options->output, "write to this file, in one step");
   verb.example("Example: ramify fit data/species.csv");

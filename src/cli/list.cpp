@@ -20,9 +20,8 @@ namespace {
 std::string model_table() {
   CsvTable table({"name", "n_counts", "domain", "description", "sampled", "source"});
   for (const auto& info : models())
-    table.add({info.signature(), std::string(info.n_counts), std::string(info.domain),
-               std::string(info.description), info.is_split ? "exact laws; grafted" : "every node grown",
-               std::string(info.source)});
+    table.add({info.signature(), std::string(info.n_counts), info.domain(), std::string(info.description),
+               info.is_split ? "exact laws; grafted" : "every node grown", std::string(info.source)});
   return table.text();
 }
 

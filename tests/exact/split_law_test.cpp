@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "ramify/core/error.hpp"
 #include "ramify/model/registry.hpp"
 
 namespace ramify {
@@ -24,7 +25,7 @@ using boost::multiprecision::cpp_int;
 using boost::multiprecision::cpp_rational;
 
 std::vector<double> pmf_of(const std::string& model, Size n) {
-  return std::visit([&](const auto& law) { return law.pmf(n); }, Model::parse(model).law());
+  return std::visit([&](const auto& law) { return split_pmf(law, n); }, Model::parse(model).law());
 }
 
 cpp_int choose(unsigned n, unsigned k) {
@@ -152,7 +153,7 @@ TEST(BetaLaw, IsTheIntegralOfItsDensity) {
     const Model model = Model::parse(fmt::format("beta({},{})", a, b));
     for (const Size n : {2u, 3u, 10u, 128u, 1000u}) {
       SCOPED_TRACE(model.text());
-      expect_same_law(std::get<Beta>(model.law()).pmf(n), test::beta_law(n, a, b), 1e-10);
+      expect_same_law(split_pmf(std::get<Beta>(model.law()), n), test::beta_law(n, a, b), 1e-10);
     }
   }
 }
@@ -170,7 +171,7 @@ TEST(BetaMultinomialLaw, IsPolyasUrn) {
   for (const auto& [a, b] : shapes)
     for (const Size n : {1u, 2u, 3u, 10u, 128u, 1000u, 20000u}) {
       SCOPED_TRACE(fmt::format("a = {}, b = {}", a, b));
-      expect_same_law(BetaMultinomial(a, b).pmf(n), test::beta_multinomial_law(n, a, b), 1e-11);
+      expect_same_law(split_pmf(BetaMultinomial(a, b), n), test::beta_multinomial_law(n, a, b), 1e-11);
     }
 }
 
@@ -188,14 +189,14 @@ TEST(AldousLaw, IsTheProductOfGammaQuotients) {
   for (const double beta : {-1.9999999, -1.9, -1.5, -1.1, -1.0, -0.7, -0.5, -1e-9, 0.3, 1.0, 50.0, 1e6})
     for (const Size n : {1u, 2u, 3u, 10u, 128u, 1000u, 20000u}) {
       SCOPED_TRACE(fmt::format("beta = {}, n = {}", beta, n));
-      expect_same_law(Aldous(beta).pmf(n), test::aldous_law(n, beta), 1e-11);
+      expect_same_law(split_pmf(Aldous(beta), n), test::aldous_law(n, beta), 1e-11);
     }
 }
 
 // At the sizes where Gamma functions in double precision have long overflowed (n = 172).
 TEST(AldousLaw, KeepsItsDigitsAtAMillion) {
   constexpr Size n = 1'000'000;
-  expect_same_law(Aldous(-1.5).pmf(n), Catalan().pmf(n), 1e-10);
+  expect_same_law(split_pmf(Aldous(-1.5), n), split_pmf(Catalan(), n), 1e-10);
   std::vector<double> harmonic(n);
   long double sum = 0;  // of 1/k, k = 1..n
   for (Size k = n; k >= 1; --k) sum += 1 / static_cast<long double>(k);
@@ -203,7 +204,7 @@ TEST(AldousLaw, KeepsItsDigitsAtAMillion) {
     const auto left = static_cast<long double>(k), right = static_cast<long double>(n + 1 - k);
     harmonic[k - 1] = static_cast<double>((left + right) / (2 * sum * left * right));
   }
-  expect_same_law(Aldous(-1).pmf(n), harmonic, 1e-10);
+  expect_same_law(split_pmf(Aldous(-1), n), harmonic, 1e-10);
 }
 
 TEST(CompleteLaw, IsTheHeap) {
@@ -213,6 +214,49 @@ TEST(CompleteLaw, IsTheHeap) {
 
 TEST(ChainLaw, IsACoinToss) {
   for (const Size n : {1u, 2u, 3u, 100u}) EXPECT_EQ(pmf_of("chain", n), test::chain_law(n));
+}
+
+// Where the product in double precision falls on the wrong side of a whole number: 100 * 0.29, 49 * (1/49).
+TEST(FixedSplitLaw, IsTheFloorOfTheFractionAsWritten) {
+  struct Written {
+    const char* text;
+    unsigned numerator, denominator;
+  };
+  for (const auto& [text, numerator, denominator] :
+       {Written{"0.29", 29, 100}, Written{"0.57", 57, 100}, Written{"0.58", 58, 100}, Written{"1/49", 1, 49},
+        Written{"0.3", 3, 10}, Written{"0.7", 7, 10}, Written{"1/4.35", 20, 87}}) {
+    const Model model = Model::parse(fmt::format("split({})", text));
+    const auto& law = std::get<FixedSplit>(model.law());
+    const FixedSplit of_double(law.x());
+    std::vector<Size> sizes(10'000);
+    std::iota(sizes.begin(), sizes.end(), Size{1});
+    for (const Size last : {max_double_size, max_double_size / denominator * denominator})
+      for (Size n = last - 3; n <= last; ++n) sizes.push_back(n);
+    for (const Size n : sizes) {
+      const auto floor = static_cast<Size>(cpp_int(n) * numerator / denominator);
+      ASSERT_EQ(law.left(n), floor) << text << ", n = " << n;
+      ASSERT_EQ(of_double.left(n), floor) << text << ", n = " << n;
+    }
+  }
+}
+
+TEST(FixedSplitLaw, IsOfTheNumberHoweverItIsWritten) {
+  EXPECT_EQ(Model::parse("split(0.25)"), Model::parse("split(1/4)"));
+  EXPECT_EQ(Model::parse("split(29e-2)").law(), AnySplitLaw(FixedSplit(0.29)));
+  EXPECT_THROW(Model::parse("split(0.12345678901234567890123)"), Error);
+}
+
+// Of what a law says of itself, what can be seen in its windows.
+TEST(SplitCharacter, IsSymmetricWhereTheLawIs) {
+  for (const auto& text : test::all_models()) {
+    const Model model = Model::parse(text);
+    bool is_symmetric = true;
+    for (const Size n : {2u, 3u, 4u, 7u, 100u}) {
+      const auto law = pmf_of(text, n);
+      for (Size i = 0; i < n; ++i) is_symmetric = is_symmetric && std::abs(law[i] - law[n - 1 - i]) < 1e-12;
+    }
+    EXPECT_EQ(model.character().is_symmetric, is_symmetric) << text;
+  }
 }
 
 TEST(FixedSplitLaw, IsTheFloor) {

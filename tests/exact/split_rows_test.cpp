@@ -41,7 +41,7 @@ TEST(SplitRows, AreTheFoldedPmf) {
     for (const Size n : {1u, 2u, 3u, 17u, 100u, 1001u}) {
       const auto row = rows.row(n);
       auto pmf = n == 1 ? std::vector<double>{1}
-                        : std::visit([n](const auto& law) { return law.pmf(n); }, model.law());
+                        : std::visit([n](const auto& law) { return split_pmf(law, n); }, model.law());
       for (Size i = (n + 1) / 2; i < n; ++i) pmf[n - 1 - i] += pmf[i];
       long double sum = 0;
       for (std::size_t m = 0; m < row.weights.size(); ++m) {

@@ -20,7 +20,7 @@ SplitTableFile::SplitTableFile(const std::string& text) {
 std::string split_table_of(const Model& model, Size largest) {
   std::string text = "n,left,probability\n";
   for (Size n = 2; n <= largest; ++n) {
-    const auto pmf = std::visit([n](const auto& law) { return law.pmf(n); }, model.law());
+    const auto pmf = std::visit([n](const auto& law) { return split_pmf(law, n); }, model.law());
     for (Size left = 0; left < n; ++left)
       if (pmf[left] > 0) text += fmt::format("{},{},{}\n", n, left, format_exact(pmf[left]));
   }

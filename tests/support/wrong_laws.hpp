@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "support/reference_laws.hpp"
 
 #include "ramify/model/catalan.hpp"
@@ -22,7 +20,7 @@ struct ShortUniform {
   Size left(Size n, Urbg& stream) const {
     return uniform_below(stream, n - 1);
   }
-  std::vector<double> pmf(Size n) const { return short_uniform_law(n); }
+  WeightWindow window(Size n, double) const { return {0, short_uniform_law(n)}; }
 };
 
 /// Binomial(n, p) given X < n.
@@ -38,7 +36,7 @@ struct ThesisBinomial {
       if (k < n) return k;
     }
   }
-  std::vector<double> pmf(Size n) const { return thesis_binomial_law(n, p); }
+  WeightWindow window(Size n, double) const { return {0, thesis_binomial_law(n, p)}; }
 };
 
 /// PATRICIA split on n strings.
@@ -51,7 +49,7 @@ struct ShortPatricia {
   Size left(Size n, Urbg& stream) const {
     return inner_binomial_variate(stream, n, p) - 1;
   }
-  std::vector<double> pmf(Size n) const { return short_patricia_law(n, p); }
+  WeightWindow window(Size n, double) const { return {0, short_patricia_law(n, p)}; }
 };
 
 /// C_i C_(n-2-i) in place of C_i C_(n-1-i).
@@ -63,7 +61,7 @@ struct ShortCatalan {
   Size left(Size n, Urbg& stream) const {
     return Catalan().left(n - 1, stream);
   }
-  std::vector<double> pmf(Size n) const { return short_catalan_law(n); }
+  WeightWindow window(Size n, double) const { return {0, short_catalan_law(n)}; }
 };
 
 }  // namespace ramify::test

@@ -46,7 +46,8 @@ const FitRow& row_of(const std::vector<FitRow>& rows, std::string_view parameter
 /// Fresh trees at p, from a stream no fit used.
 ResponsePoint fresh(double p, std::uint64_t trees) {
   const Cancellation cancellation;
-  const ResponseSurface surface("patricia", 579, test::seed_of("fit ratio, fresh trees"), 2, cancellation);
+  const ResponseSurface surface(Patricia::info(), 579, test::seed_of("fit ratio, fresh trees"), 2,
+                                cancellation);
   const ResponseRequest request{p, trees};
   return surface.sample(std::span(&request, 1)).front();
 }
@@ -123,15 +124,19 @@ TEST(FitRatio, SameBytesForAnyNumberOfThreadsAndAnyCompany) {
 TEST(FitRatio, MirrorModelAndUsersSize) {
   const Cancellation cancellation;
   FitOptions dst = options(20'000);
-  dst.model = "dst";
+  dst.model = &require_fittable("dst");
   dst.n = 300;
   const auto rows = fit_ratio(datum_of("a,3.5,100"), dst, cancellation);
   EXPECT_EQ(rows[0].n, 300u);
   EXPECT_EQ(rows[0].n_source, "user");
   EXPECT_EQ(rows[1].model, "dst");
   EXPECT_EQ(rows[1].status, FitStatus::converged);
-  dst.model = "bst";
-  EXPECT_THROW(fit_ratio(datum_of("a,3.5,100"), dst, cancellation), Error);
+}
+
+TEST(FitRatio, IsOfModelsOfOneProbabilityAboutWhichSizesScatter) {
+  for (const char* name : {"patricia", "dst"}) EXPECT_EQ(require_fittable(name).name, name);
+  for (const char* name : {"bst", "beta", "split", "trie", "ternary", "aldous", "file", "no_such", ""})
+    EXPECT_THROW(require_fittable(name), Error) << name;
 }
 
 TEST(FitRatio, OutOfReachAndUndetermined) {
@@ -171,7 +176,7 @@ TEST(FitRatio, MeetsItselfWhereAveragingBegins) {
   const Cancellation cancellation;
   const ResponseRequest request{0.3, 200};
   const auto at = [&](Size n) {
-    return ResponseSurface("patricia", n, test::seed_of("averaging"), 2, cancellation)
+    return ResponseSurface(Patricia::info(), n, test::seed_of("averaging"), 2, cancellation)
         .sample(std::span(&request, 1))[0];
   };
   const ResponsePoint counted = at(ResponseSurface::largest_counted),

@@ -25,9 +25,9 @@ TEST(ModelOfFile, HoldsTheTable) {
   EXPECT_TRUE(model.parameters().empty());
   EXPECT_EQ(model.largest_size(), 3u);
   const auto& law = std::get<TabulatedSplit>(model.law());
-  EXPECT_EQ(law.pmf(1), (std::vector<double>{1}));
-  EXPECT_EQ(law.pmf(2), (std::vector<double>{0.5, 0.5}));
-  EXPECT_EQ(law.pmf(3), (std::vector<double>{0.25, 0, 0.75}));
+  EXPECT_EQ(split_pmf(law, 1), (std::vector<double>{1}));
+  EXPECT_EQ(split_pmf(law, 2), (std::vector<double>{0.5, 0.5}));
+  EXPECT_EQ(split_pmf(law, 3), (std::vector<double>{0.25, 0, 0.75}));
   EXPECT_EQ(model, SplitTableFile(small).model());
 }
 
@@ -39,7 +39,7 @@ TEST(ModelOfFile, MayNameSizeOneAndEndThere) {
 
 TEST(ModelOfFile, ScalesWhatIsNearlyOne) {
   const SplitTableFile file("n,left,probability\n2,0,0.3333333333\n2,1,0.6666666666\n");
-  const auto pmf = std::get<TabulatedSplit>(file.model().law()).pmf(2);
+  const auto pmf = split_pmf(std::get<TabulatedSplit>(file.model().law()), 2);
   EXPECT_EQ(pmf[0] + pmf[1], 1);
   EXPECT_NEAR(pmf[0], 1.0 / 3, 1e-15);
 }
@@ -60,7 +60,7 @@ TEST(ModelOfFile, IsItsContentAndNotItsPath) {
 
 TEST(ModelOfFile, IsReadWhenItIsParsedAndNeverAgain) {
   const Model model = SplitTableFile(small).model();  // the file is gone by now
-  EXPECT_EQ(std::get<TabulatedSplit>(model.law()).pmf(3)[2], 0.75);
+  EXPECT_EQ(split_pmf(std::get<TabulatedSplit>(model.law()), 3)[2], 0.75);
 }
 
 TEST(ModelOfFile, IgnoresWhiteSpaceRoundThePathAlone) {

@@ -1,6 +1,7 @@
 #include <set>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -118,6 +119,37 @@ TEST(Model, HasACellOfItsOwnForEverySize) {
       ++asked;
     }
   EXPECT_EQ(cells.size(), asked);
+}
+
+TEST(Model, IsMadeOfNumbersAsOfTheirText) {
+  struct Made {
+    const ModelInfo* info;
+    std::vector<double> numbers;
+    const char* text;
+  };
+  for (const auto& [info, numbers, text] :
+       {Made{&Bst::info(), {}, "bst"}, Made{&Beta::info(), {0.3, 80}, "beta(0.3,80)"},
+        Made{&Patricia::info(), {1 / 4.35}, "patricia(0.22988505747126436)"},
+        Made{&FixedSplit::info(), {0.29}, "split(0.29)"}, Made{&find_model("trie"), {0.25}, "trie(0.25)"}}) {
+    const Model made = Model::make(*info, numbers), parsed = Model::parse(text);
+    EXPECT_EQ(made.text(), text);
+    EXPECT_EQ(made, parsed);
+    EXPECT_EQ(made.stream_cell(9), parsed.stream_cell(9)) << text;
+  }
+  EXPECT_THROW(Model::make(Dst::info(), std::vector<double>{1.5}), Error);
+  EXPECT_THROW(Model::make(FixedSplit::info(), std::vector<double>{-1}), Error);
+}
+
+TEST(SplitCharacter, SaysHowDepthsGrow) {
+  const auto exponent = [](const char* text) {
+    return depth_exponent(Model::parse(text).character().fraction);
+  };
+  for (const char* text : {"bst", "beta(0.1,5)", "split(0.3)", "dst(0.3)", "complete", "aldous(-1)"})
+    EXPECT_EQ(exponent(text), 0) << text;
+  EXPECT_EQ(exponent("catalan"), 0.5);
+  EXPECT_EQ(exponent("aldous(-1.5)"), 0.5);
+  EXPECT_EQ(exponent("aldous(-1.75)"), 0.75);
+  EXPECT_EQ(exponent("chain"), 1);
 }
 
 TEST(Models, AreListedOnceEachWithTheirSource) {

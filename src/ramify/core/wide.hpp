@@ -1,5 +1,6 @@
 #pragma once
 
+#include <compare>
 #include <cstdint>
 
 namespace ramify {
@@ -8,6 +9,8 @@ namespace ramify {
 struct WideProduct {
   std::uint64_t high;
   std::uint64_t low;
+
+  friend auto operator<=>(const WideProduct&, const WideProduct&) = default;
 };
 
 /// The full product of two 64-bit integers.

@@ -1,11 +1,13 @@
 #include "ramify/fit/ratio_fitter.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "ramify/fit/accepted_set.hpp"
+#include "ramify/model/registry.hpp"
 #include "ramify/text/located_error.hpp"
 
 namespace ramify {
@@ -113,16 +115,24 @@ FitRow murray_row(const RatioDatum& datum) {
   return row;
 }
 
-FitRow blank_row(const RatioDatum& datum, const std::string& model) {
+FitRow blank_row(const RatioDatum& datum, const ModelInfo& model) {
   FitRow row;
   row.data = datum.name;
-  row.model = model;
+  row.model = model.name;
   row.parameter = "p_rule";
   row.estimate = 1 / datum.ratio;
   row.estimator = estimator_name(fitted);
   row.observed = datum.ratio;
   row.n_source = "unknown";
   return row;
+}
+
+bool is_fittable(const ModelInfo& info) {
+  if (info.parameters.size() != 1 || info.parameters[0].domain != Domain{0, 1} || !info.is_split)
+    return false;
+  const SplitFraction fraction = Model::make(info, std::array{0.5}).character().fraction;
+  const auto* constant = std::get_if<ConstantFraction>(&fraction);
+  return constant != nullptr && constant->scatter != Scatter::none;
 }
 
 void set_rule(FitRow& row, const ResponseSummary& at_rule) {
@@ -134,12 +144,15 @@ void set_rule(FitRow& row, const ResponseSummary& at_rule) {
 
 }  // namespace
 
+const ModelInfo& require_fittable(std::string_view name) {
+  for (const ModelInfo& info : models())
+    if (info.name == name && is_fittable(info)) return info;
+  throw Error(fmt::format("model '{}' cannot be fitted to a bifurcation ratio", name),
+              "one ratio fixes one parameter: the p of patricia or dst", "use --model patricia");
+}
+
 RatioFitter::RatioFitter(FitOptions options, const Cancellation& cancellation)
     : options_(std::move(options)), cancellation_(&cancellation) {
-  if (options_.model != "patricia" && options_.model != "dst") {
-    throw Error(fmt::format("model '{}' cannot be fitted to a bifurcation ratio", options_.model),
-                "one ratio fixes one parameter: the p of patricia or dst", "use --model patricia");
-  }
   options_.threads = std::max(1u, options_.threads);
 }
 
@@ -196,8 +209,8 @@ void RatioFitter::fit_estimator(const ResponseSurface& surface, RatioEstimator e
 
 void RatioFitter::fit_size(const RatioDatum& datum, const SizeChoice& size, std::vector<FitRow>& rows) {
   require_size(datum, size.n);
-  const ResponseSurface surface(options_.model, size.n, options_.seed, options_.threads, *cancellation_);
-  FitRow rule = blank_row(datum, options_.model);
+  const ResponseSurface surface(*options_.model, size.n, options_.seed, options_.threads, *cancellation_);
+  FitRow rule = blank_row(datum, *options_.model);
   rule.n = size.n;
   rule.n_source = size.source;
   rule.note = size.note;
@@ -228,7 +241,7 @@ std::vector<FitRow> RatioFitter::fit(const RatioDatum& datum) {
       options_.n ? std::vector<SizeChoice>{{*options_.n, "user", ""}} : datum.sizes;
   for (const SizeChoice& size : sizes) fit_size(datum, size, rows);
   if (sizes.empty()) {
-    FitRow rule = blank_row(datum, options_.model);
+    FitRow rule = blank_row(datum, *options_.model);
     rule.note = "no size is printed, so there is the rule alone: give --n to fit";
     rows.push_back(std::move(rule));
   }

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <string>
+#include <string_view>
 #include <vector>
 
 #include "ramify/core/cancellation.hpp"
@@ -11,11 +11,16 @@
 #include "ramify/fit/ratio_curve.hpp"
 #include "ramify/fit/ratio_datum.hpp"
 #include "ramify/fit/root_search.hpp"
+#include "ramify/model/model_info.hpp"
 
 namespace ramify {
 
+/// The model of that name, of which one ratio fixes the one parameter: a probability p that is its limiting
+/// split fraction, about which sizes scatter. Throws Error for any other.
+const ModelInfo& require_fittable(std::string_view name);
+
 struct FitOptions {
-  std::string model = "patricia";  ///< or "dst"
+  const ModelInfo* model = &Patricia::info();  ///< a fittable one
   std::uint64_t seed = 1996;
   std::optional<Size> n;  ///< the user's size, in place of every datum's own
   unsigned threads = 1;   ///< decides the time alone
@@ -24,7 +29,7 @@ struct FitOptions {
   std::uint64_t nodes_per_point = 1'500'000;
 };
 
-/// Fits the split probability p of PATRICIA trees to a measured bifurcation ratio R at its size n.
+/// Fits the split probability p of a model to a measured bifurcation ratio R at its size n.
 ///
 /// For each size of a datum: the thesis's rule p = 1/R (K96 3.1.5, 3.2.2; H2), which holds only as n grows
 /// without bound; then, for streams mean_ratio and the five other estimators, every p <= 1/2 at which trees
@@ -36,7 +41,7 @@ struct FitOptions {
 /// alone.
 class RatioFitter {
  public:
-  /// Throws Error for another model. cancellation must outlive the fitter.
+  /// cancellation must outlive the fitter.
   RatioFitter(FitOptions options, const Cancellation& cancellation);
 
   /// Throws Error for a size out of 2..largest_size, Interrupted when cancelled. About 2*10^8 nodes a size:

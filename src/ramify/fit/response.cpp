@@ -7,13 +7,10 @@
 #include <memory>
 #include <mutex>
 
-#include <fmt/format.h>
-
 #include "ramify/core/contract.hpp"
 #include "ramify/core/error.hpp"
-#include "ramify/core/number.hpp"
 #include "ramify/core/parallel.hpp"
-#include "ramify/model/registry.hpp"
+#include "ramify/model/model.hpp"
 #include "ramify/sample/tree_sampler.hpp"
 
 namespace ramify {
@@ -93,9 +90,9 @@ std::array<ResponseSummary, ratio_estimator_count> summarise(std::span<const Rat
   return summary;
 }
 
-ResponseSurface::ResponseSurface(std::string model, Size n, std::uint64_t seed, unsigned threads,
+ResponseSurface::ResponseSurface(const ModelInfo& model, Size n, std::uint64_t seed, unsigned threads,
                                  const Cancellation& cancellation)
-    : model_(std::move(model)), n_(n), seed_(seed), threads_(threads), cancellation_(&cancellation) {
+    : model_(&model), n_(n), seed_(seed), threads_(threads), cancellation_(&cancellation) {
   RAMIFY_EXPECTS(n >= 1 && threads >= 1);
 }
 
@@ -104,7 +101,7 @@ std::vector<ResponsePoint> ResponseSurface::sample(std::span<const ResponseReque
   std::deque<Growth> growths;  // Growth does not move
   std::vector<Block> blocks;
   for (const ResponseRequest& request : requests) {
-    const Model model = Model::parse(fmt::format("{}({})", model_, format_exact(request.p)));
+    const Model model = Model::make(*model_, std::span(&request.p, 1));
     Growth& growth = growths.emplace_back(SamplerOrder{model, {pass, true}, n_, cancellation_},
                                           StreamKey{seed_, model.stream_cell(n_)}, request.trees);
     for (std::uint64_t first = 0; first < request.trees; first += trees_of_block)

@@ -3,11 +3,11 @@
 #include <array>
 #include <cstdint>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "ramify/core/cancellation.hpp"
 #include "ramify/fit/ratio_estimator.hpp"
+#include "ramify/model/model_info.hpp"
 #include "ramify/tree/grammar.hpp"
 
 namespace ramify {
@@ -35,20 +35,21 @@ struct ResponseRequest {
   std::uint64_t trees;
 };
 
-/// The expected ratio of PATRICIA or digital search trees as a function of p, by simulation.
+/// The expected ratio of trees of a model of one parameter p, as a function of it, by simulation.
 ///
 /// E mean_ratio is no function of the mean counts (it is a mean of quotients within a tree), so there is
 /// nothing to compute it from but trees.
 class ResponseSurface {
  public:
-  /// @param model    "patricia" or "dst": one parameter p, the law of p the mirror image of that of 1-p
+  /// @param model    one that require_fittable accepts (ratio_fitter.hpp): the law of p is the mirror image
+  /// of
+  ///                 that of 1-p
   /// @param n        internal nodes, >= 1
   /// @param threads  >= 1; decides the time alone
-  ResponseSurface(std::string model, Size n, std::uint64_t seed, unsigned threads,
+  ResponseSurface(const ModelInfo& model, Size n, std::uint64_t seed, unsigned threads,
                   const Cancellation& cancellation);
 
   Size n() const { return n_; }
-  const std::string& model() const { return model_; }
 
   /// One point for each request. A tree depends on (seed, model, p, n, replicate) alone. Throws Interrupted.
   /// Cost: sum of trees * n nodes, about 3 ns each to largest_counted, above it a tenth of that and less.
@@ -69,7 +70,7 @@ class ResponseSurface {
   static constexpr Size largest_counted = Size{1} << 20;
 
  private:
-  std::string model_;
+  const ModelInfo* model_;
   Size n_;
   std::uint64_t seed_;
   unsigned threads_;

@@ -9,60 +9,15 @@
 namespace ramify {
 namespace {
 
-/// The split rows of all sizes 1..n.
-struct RowCost {
-  double entries;      ///< in all of them
-  double nanoseconds;  ///< to make an entry
-  double bytes;        ///< of tables, for each size
-};
-
-RowCost dense(double n, double nanoseconds, double bytes) {
-  return {n * n / 4 + n, nanoseconds, bytes};
-}
-
-/// A binomial law is above 1e-18 over 18 standard deviations, a row at most half as long as its size.
-RowCost binomial(double n, double p) {
-  const double longest = std::min(n / 2, 18 * std::sqrt(n * p * (1 - p)));
-  return {n * (1 + 2 * longest / 3), 16, 24};
-}
-
-RowCost rows(const Bst&, double n) {
-  return dense(n, 4, 24);
-}
-RowCost rows(const Catalan&, double n) {
-  return dense(n, 4, 24);
-}
-RowCost rows(const Beta&, double n) {
-  return dense(n, 40, 240);
-}
-RowCost rows(const BetaMultinomial&, double n) {
-  return dense(n, 12, 24);
-}
-RowCost rows(const Aldous&, double n) {
-  return dense(n, 12, 24);
-}
-RowCost rows(const Dst& law, double n) {
-  return binomial(n, law.p());
-}
-RowCost rows(const Patricia& law, double n) {
-  return binomial(n, law.p());
-}
-/// Between the first and the last entry of a row may be zeros: they cost as much.
-RowCost rows(const TabulatedSplit&, double n) {
-  return dense(n, 8, 24);
-}
-/// One entry a size: the call of a sum costs as much as 25.
-RowCost single(double n) {
-  return {n * 25, 4, 24};
-}
-RowCost rows(const FixedSplit&, double n) {
-  return single(n);
-}
-RowCost rows(const Complete&, double n) {
-  return single(n);
-}
-RowCost rows(const Chain&, double n) {
-  return single(n);
+/// Entries of the split rows of all sizes 1..n.
+double row_entries(const SplitFraction& fraction, double n) {
+  // One entry a size: the call of a sum costs as much as 25.
+  if (splits_in_one_way(fraction)) return n * 25;
+  const auto* constant = std::get_if<ConstantFraction>(&fraction);
+  if (constant == nullptr) return n * n / 4 + n;
+  // A binomial law is above 1e-18 over 18 standard deviations, a row at most half as long as its size.
+  const double longest = std::min(n / 2, 18 * std::sqrt(n * constant->p * (1 - constant->p)));
+  return n * (1 + 2 * longest / 3);
 }
 
 /// What a law keeps for each size, and the time it takes for each entry of a row.
@@ -109,9 +64,10 @@ Size two_digits(Size n) {
 
 LawCost law_cost(const Model& model, LawKind kind, Size n) {
   const auto size = static_cast<double>(n) + 1;
-  const RowCost row = std::visit([size](const auto& law) { return rows(law, size); }, model.law());
+  const SplitCharacter character = model.character();
   const Use law = use(model, kind, n);
-  return {size * (row.bytes + law.bytes), row.entries * (row.nanoseconds + law.nanoseconds) * 1e-9};
+  return {size * (character.row.bytes + law.bytes),
+          row_entries(character.fraction, size) * (character.row.nanoseconds + law.nanoseconds) * 1e-9};
 }
 
 Size largest_affordable(const Model& model, LawKind kind, const LawCost& limit) {

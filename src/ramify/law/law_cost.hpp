@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ramify/model/registry.hpp"
+#include "ramify/model/model.hpp"
 
 namespace ramify {
 
@@ -20,8 +20,8 @@ struct LawCost {
 ///   node_sum        2 series
 ///   order_means     3 (K+3) + 2 (K+1) series
 ///   order_moments   those and D (2K+4) + D (D+1)/2 series
-/// and the tables of the split rows: 240 n bytes for beta, 24 n else. Time: an entry of a split row costs 4
-/// to 40 ns to make, by model, and 8 ns, w ns, w ns, 8 ns, 20 ns or 2 D^2 ns to use. O(1).
+/// and the tables of the split rows, 24 to 240 n bytes by model. Time: an entry of a split row costs 4
+/// to 40 ns to make, by model too, and 8 ns, w ns, w ns, 8 ns, 20 ns or 2 D^2 ns to use. O(1).
 LawCost law_cost(const Model& model, LawKind kind, Size n);
 
 /// The largest n of the model that costs at most these bytes and seconds, rounded down to two digits.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ramify/model/registry.hpp"
+#include "ramify/model/model.hpp"
 
 namespace ramify {
 

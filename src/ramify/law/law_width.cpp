@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <type_traits>
 
 #include <boost/math/special_functions/gamma.hpp>
 
@@ -22,7 +21,7 @@ double log_sum(double log_x, double log_y) {
   return std::max(log_x, log_y) + std::log1p(std::exp(-std::abs(log_x - log_y)));
 }
 
-/// The limiting split fraction X of a model: beta(a,b), or a constant.
+/// A limiting split fraction X that is a beta(a,b) variate or a constant.
 class Fraction {
  public:
   explicit Fraction(double constant) : constant_(constant) {}
@@ -50,38 +49,11 @@ class Fraction {
   double constant_;
 };
 
-Fraction fraction(const Bst&) {
-  return {1, 1};
-}
-Fraction fraction(const Beta& law) {
-  return {law.a(), law.b()};
-}
-Fraction fraction(const BetaMultinomial& law) {
-  return {law.a(), law.b()};
-}
-/// beta > -1; below, there is none.
-Fraction fraction(const Aldous& law) {
-  return {law.beta() + 1, law.beta() + 1};
-}
-Fraction fraction(const FixedSplit& law) {
-  return Fraction(law.x());
-}
-Fraction fraction(const Dst& law) {
-  return Fraction(law.p());
-}
-Fraction fraction(const Patricia& law) {
-  return Fraction(law.p());
-}
-
-/// All subtrees of a node but one are perfect.
-Fraction fraction(const Complete&) {
-  return Fraction(0.5);
-}
-
 /// The beta law that has mean and variance of the middles of a row's cells; a table of chains gives a wide
 /// one.
-Fraction fraction(const TabulatedSplit& law, Size size) {
-  const auto pmf = law.pmf(std::clamp<Size>(size, 1, law.largest_size()));
+Fraction fraction_of_row(const Model& model, Size size) {
+  const Size row = std::clamp<Size>(size, 1, model.largest_size());
+  const auto pmf = std::visit([row](const auto& law) { return split_pmf(law, row); }, model.law());
   const double n = static_cast<double>(pmf.size());
   double mean = 0, square = 0;
   for (std::size_t i = 0; i < pmf.size(); ++i) {
@@ -127,33 +99,42 @@ double heights(const Fraction& x, double n) {
   return high - low;
 }
 
-/// Of depths and of heights alike where they grow like n^e, e = -1-beta, and at beta = -1, where they grow
-/// like log^2 n; above, no more than there. Fitted to laws at n = 250..1000.
-double deep_width(const Aldous& law, double n) {
-  const double e = std::max(0.0, -1 - law.beta()), log_n = std::log(n);
+/// Of depths and of heights alike where they grow like n^e, and where, at e = 0, they grow like log^2 n; no
+/// less than where they grow like log n but no side is without a leaf. Fitted to laws of aldous at n =
+/// 250..1000; at e = 1 all nodes are on one path.
+double deep_width(double e, double n) {
+  if (e == 1) return 1;
+  if (e == 0.5) return catalan_reach * std::sqrt(n) + spread;
+  const double log_n = std::log(n);
   const double growth = e == 0 ? log_n : std::expm1(e * log_n) / e;
-  return (0.5 + 0.9 * e) * std::pow(log_negligible, 1 - e) * growth;
+  return (0.5 + 0.9 * e) * std::pow(log_negligible, 1 - e) * growth + spread;
 }
 
-/// depths or heights of a model, for models that have a fraction.
+/// depths or heights of a beta fraction.
+template <class OfFraction>
+double beta_width(const BetaFraction& beta, double n, OfFraction of_fraction) {
+  const double deep = deep_width(depth_exponent(beta), n);
+  if (!beta.is_density()) return deep;
+  const double values = of_fraction(Fraction(beta.a, beta.b), n) + spread;
+  return beta.scatter == Scatter::strings ? std::min(deep, values) : values;
+}
+
+/// depths or heights of a model.
 template <class OfFraction>
 double width(const Model& model, Size size, OfFraction of_fraction) {
   const double n = std::max(2.0, static_cast<double>(size));
-  const double values = std::visit(
-      [&]<class Law>(const Law& law) {
-        if constexpr (std::is_same_v<Law, Catalan>)
-          return catalan_reach * std::sqrt(n) + spread;
-        else if constexpr (std::is_same_v<Law, Chain>)
-          return 1.0;
-        else if constexpr (std::is_same_v<Law, Aldous>)
-          return spread + (law.beta() <= -1 ? deep_width(law, n)
-                                            : std::min(deep_width(law, n), of_fraction(fraction(law), n)));
-        else if constexpr (std::is_same_v<Law, TabulatedSplit>)
-          return of_fraction(fraction(law, size), n) + spread;
-        else
-          return of_fraction(fraction(law), n) + spread;
-      },
-      model.law());
+  const SplitFraction fraction = model.character().fraction;
+  double values = 0;
+  if (const auto* beta = std::get_if<BetaFraction>(&fraction))
+    values = beta_width(*beta, n, of_fraction);
+  else if (const auto* none = std::get_if<NoFraction>(&fraction))
+    values = deep_width(none->depth_exponent, n);
+  else if (const auto* constant = std::get_if<ConstantFraction>(&fraction))
+    values = of_fraction(Fraction(constant->p), n) + spread;
+  else if (std::holds_alternative<PerfectFraction>(fraction))
+    values = of_fraction(Fraction(0.5), n) + spread;
+  else
+    values = of_fraction(fraction_of_row(model, size), n) + spread;
   return std::clamp(values, 1.0, n);
 }
 
@@ -164,9 +145,7 @@ double depth_width(const Model& model, Size n) {
 }
 
 double height_width(const Model& model, Size n) {
-  const auto& law = model.law();
-  if (std::holds_alternative<FixedSplit>(law) || std::holds_alternative<Complete>(law)) return 1;
-  return width(model, n, heights);
+  return splits_in_one_way(model.character().fraction) ? 1 : width(model, n, heights);
 }
 
 }  // namespace ramify

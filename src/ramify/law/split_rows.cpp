@@ -4,104 +4,52 @@
 
 #include "ramify/core/contract.hpp"
 #include "ramify/law/trim.hpp"
-#include "ramify/model/binomial_weights.hpp"
 
 namespace ramify {
 namespace {
 
 constexpr double negligible = 1e-18;
+constexpr double read_back_nanoseconds = 4;  // of an entry
 constexpr double far_below = 1e-40;  // of the mode of a binomial law: P(K = 0) may be nearly all of it
+
+/// The windows of a law, or what its class Rows makes faster.
+template <class Law>
+std::function<WeightWindow(Size)> row_maker(const Law& law) {
+  if constexpr (requires { typename Law::Rows; }) {
+    return [rows = typename Law::Rows(law)](Size n) mutable { return rows.window(n); };
+  } else {
+    return [law](Size n) { return law.window(n, far_below); };
+  }
+}
 
 }  // namespace
 
-SplitRows::SplitRows(const Model& model) : law_(model.law()) {
-  if (const auto* beta = std::get_if<Beta>(&law_)) beta_.emplace(*beta);
-}
+SplitRows::SplitRows(const Model& model)
+    : left_(std::visit([](const auto& law) { return row_maker(law); }, model.law())) {}
 
 SplitRow SplitRows::row(Size n) {
   RAMIFY_EXPECTS(n >= 1);
-  if (n == 1) {
-    take({0, {1.0}});
-  } else {
-    std::visit([this, n](const auto& law) { fill(law, n); }, law_);
-  }
-  fold(n);
+  fold(n, n == 1 ? WeightWindow{0, {1.0}} : left_(n));
   const auto kept = trim_to_law(weights_, negligible);
   return {n, smallest_ + static_cast<Size>(kept.data() - weights_.data()), kept};
 }
 
-void SplitRows::take(WeightWindow window) {
-  first_ = window.first;
-  left_ = std::move(window.weights);
-}
-
-void SplitRows::fill(const Bst&, Size n) {
-  take({0, std::vector<double>(n, 1 / static_cast<double>(n))});
-}
-
-void SplitRows::fill(const Beta&, Size n) {
-  first_ = 0;
-  beta_->fill(n, left_);
-}
-
-void SplitRows::fill(const BetaMultinomial& law, Size n) {
-  take(law.window(n, far_below));
-}
-
-void SplitRows::fill(const FixedSplit& law, Size n) {
-  take({law.left(n), {1.0}});
-}
-
-void SplitRows::fill(const Dst& law, Size n) {
-  take(binomial_window(n - 1, law.p(), far_below));
-}
-
-void SplitRows::fill(const Patricia& law, Size n) {
-  take(law.window(n, far_below));
-}
-
-void SplitRows::fill(const Catalan&, Size n) {
-  for (Size i = catalan_.size(); i < n; ++i)
-    catalan_.push_back(Catalan::central_binomial(i) / static_cast<double>(i + 1));
-  first_ = 0;
-  left_.resize(n);
-  for (Size i = 0; i < n; ++i) left_[i] = catalan_[i] * catalan_[n - 1 - i];
-}
-
-void SplitRows::fill(const Aldous& law, Size n) {
-  take(law.window(n, far_below));
-}
-
-void SplitRows::fill(const Complete& law, Size n) {
-  take({law.left(n), {1.0}});
-}
-
-/// One side is as good as the other here.
-void SplitRows::fill(const Chain&, Size) {
-  take({0, {1.0}});
-}
-
-void SplitRows::fill(const TabulatedSplit& law, Size n) {
-  take({0, law.pmf(n)});
-}
-
 /// Puts i and n-1-i together.
-void SplitRows::fold(Size n) {
-  const Size last = first_ + left_.size() - 1;
-  smallest_ = std::min(first_, n - 1 - last);
-  const Size largest = std::max(std::min(first_, n - 1 - first_), std::min(last, n - 1 - last));
+void SplitRows::fold(Size n, const WeightWindow& left) {
+  const Size first = left.first, last = first + left.weights.size() - 1;
+  smallest_ = std::min(first, n - 1 - last);
+  const Size largest = std::max(std::min(first, n - 1 - first), std::min(last, n - 1 - last));
   const Size middle = (n - 1) / 2;
-  const bool crosses = first_ <= middle && last >= n - 1 - middle;
+  const bool crosses = first <= middle && last >= n - 1 - middle;
   weights_.assign((crosses ? middle : largest) - smallest_ + 1, 0.0);
-  for (Size m = 0; m < left_.size(); ++m) {
-    const Size i = first_ + m;
-    weights_[std::min(i, n - 1 - i) - smallest_] += left_[m];
+  for (Size m = 0; m < left.weights.size(); ++m) {
+    const Size i = first + m;
+    weights_[std::min(i, n - 1 - i) - smallest_] += left.weights[m];
   }
 }
 
 StoredSplitRows::StoredSplitRows(const Model& model)
-    : rows_(model),
-      keeps_(!std::holds_alternative<Bst>(model.law()) && !std::holds_alternative<Catalan>(model.law())) {}
+    : rows_(model), keeps_(model.character().row.nanoseconds > read_back_nanoseconds) {}
 
 SplitRow StoredSplitRows::row(Size n) {
   RAMIFY_EXPECTS(n >= 1);

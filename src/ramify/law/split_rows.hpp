@@ -1,11 +1,10 @@
 #pragma once
 
-#include <optional>
+#include <functional>
 #include <vector>
 
-#include "ramify/law/beta_rows.hpp"
 #include "ramify/law/split_row.hpp"
-#include "ramify/model/registry.hpp"
+#include "ramify/model/model.hpp"
 
 namespace ramify {
 
@@ -18,38 +17,21 @@ class SplitRows {
  public:
   explicit SplitRows(const Model& model);
 
-  /// The row of size n >= 1; valid until the next call. O(n); O(sqrt n) for dst and
-  /// patricia, O(1) for split, complete and chain.
+  /// The row of size n >= 1; valid until the next call. O(length of the law's window).
   SplitRow row(Size n);
 
  private:
-  void fill(const Bst&, Size n);
-  void fill(const Beta&, Size n);
-  void fill(const BetaMultinomial& law, Size n);
-  void fill(const FixedSplit& law, Size n);
-  void fill(const Dst& law, Size n);
-  void fill(const Patricia& law, Size n);
-  void fill(const Catalan&, Size n);
-  void fill(const Aldous& law, Size n);
-  void fill(const Complete& law, Size n);
-  void fill(const Chain&, Size n);
-  void fill(const TabulatedSplit& law, Size n);
-  void take(WeightWindow window);
-  void fold(Size n);
+  void fold(Size n, const WeightWindow& left);
 
-  AnySplitLaw law_;
-  std::optional<BetaRows> beta_;
-  std::vector<double> catalan_;  ///< C_i / 4^i
-  Size first_ = 0;
-  std::vector<double> left_;     ///< P(left = first_ + m)
-  std::vector<double> weights_;  ///< P(smaller child = smallest_ + m)
+  std::function<WeightWindow(Size)> left_;  ///< P(left = i) up to a factor and up to reflection
+  std::vector<double> weights_;             ///< P(smaller child = smallest_ + m)
   Size smallest_ = 0;
 };
 
 /// The split rows of a model, kept: several laws of one model read them without computing them again.
 ///
-/// Memory O(n^2), at most 2 n^2 bytes: 34 MB at n = 4096. Rows of bst and catalan, which cost no more to
-/// compute than to read back, are not kept.
+/// Memory O(n^2), at most 2 n^2 bytes: 34 MB at n = 4096. Rows that cost no more to
+/// compute than to read back are not kept.
 class StoredSplitRows {
  public:
   explicit StoredSplitRows(const Model& model);

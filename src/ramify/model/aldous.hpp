@@ -1,11 +1,7 @@
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
 #include "ramify/model/inner_fraction.hpp"
 #include "ramify/model/split_law.hpp"
-#include "ramify/model/weight_window.hpp"
 #include "ramify/random/variates.hpp"
 
 namespace ramify {
@@ -34,12 +30,12 @@ class Aldous {
     return on_the_left ? leaves - 1 : n - leaves;
   }
 
-  /// f(k) f(m-k), k = left+1, scaled to sum 1.
-  std::vector<double> pmf(Size n) const { return window(n, 0).weights; }
-
-  /// The same without the tails below cutoff times the mode; all of it for beta < 0, where both ends are
-  /// modes. Relative error below 1e-10 (BetaBinomial). O(length).
+  /// f(k) f(m-k), k = left+1, scaled to sum 1; all of it for beta < 0, where both ends are modes. Relative
+  /// error below 1e-10 (BetaBinomial). O(length).
   WeightWindow window(Size n, double cutoff) const;
+
+  SplitCharacter character() const;
+  static const ModelInfo& info();
 
   friend bool operator==(const Aldous&, const Aldous&) = default;
 

@@ -2,13 +2,12 @@
 
 #include <boost/math/special_functions/beta.hpp>
 
-#include "ramify/model/parameter.hpp"
+#include "ramify/model/model_info.hpp"
 
 namespace ramify {
 
 Beta::Beta(double a, double b) : a_(a), b_(b) {
-  require_positive("beta(a,b)", "a", a);
-  require_positive("beta(a,b)", "b", b);
+  require_domain(info(), std::array{a, b});
 }
 
 Beta::Tails Beta::tails(Size i, Size n) const {
@@ -27,7 +26,7 @@ double Beta::cell_probability(Size i, Size n) const {
   return between(tails(i, n), tails(i + 1, n));
 }
 
-std::vector<double> Beta::pmf(Size n) const {
+WeightWindow Beta::window(Size n, double) const {
   std::vector<double> weights;
   weights.reserve(n);
   Tails low = tails(0, n);
@@ -36,7 +35,23 @@ std::vector<double> Beta::pmf(Size n) const {
     weights.push_back(between(low, high));
     low = high;
   }
-  return weights;
+  return {0, std::move(weights)};
+}
+
+SplitCharacter Beta::character() const {
+  const BetaFraction fraction{a_, b_, Scatter::none};
+  return {fraction, a_ == b_, {40, 240}, reach_of(fraction)};
+}
+
+const ModelInfo& Beta::info() {
+  static const ModelInfo info{
+      .name = "beta",
+      .parameters = {positive("a"), positive("b")},
+      .largest_n = largest_size(),
+      .description = "left = floor(nX), X ~ beta(a,b)",
+      .source = "A5, A8; Kruszewski 1996, 2.5.2",
+      .make = [](std::span<const double> v) -> AnyModel { return AnySplitLaw(Beta(v[0], v[1])); }};
+  return info;
 }
 
 }  // namespace ramify

@@ -1,14 +1,15 @@
 #include "ramify/model/beta_multinomial.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "ramify/model/beta_binomial.hpp"
-#include "ramify/model/parameter.hpp"
+#include "ramify/model/model_info.hpp"
 
 namespace ramify {
+
 BetaMultinomial::BetaMultinomial(double a, double b) : a_(a), b_(b) {
-  require_positive("beta_multinomial(a,b)", "a", a);
-  require_positive("beta_multinomial(a,b)", "b", b);
+  require_domain(info(), std::array{a, b});
 }
 
 Size BetaMultinomial::mode(Size last) const {
@@ -20,6 +21,22 @@ Size BetaMultinomial::mode(Size last) const {
 WeightWindow BetaMultinomial::window(Size n, double cutoff) const {
   const Size last = n - 1;
   return BetaBinomial{last, a_, b_}.window(0, last, mode(last), a_ < 1 && b_ < 1 ? 0 : cutoff);
+}
+
+SplitCharacter BetaMultinomial::character() const {
+  const BetaFraction fraction{a_, b_, Scatter::binomial};
+  return {fraction, a_ == b_, {.nanoseconds = 12}, reach_of(fraction)};
+}
+
+const ModelInfo& BetaMultinomial::info() {
+  static const ModelInfo info{
+      .name = "beta_multinomial",
+      .parameters = {positive("a"), positive("b")},
+      .largest_n = largest_size(),
+      .description = "left ~ Bin(n-1,X), X ~ beta(a,b)",
+      .source = "A8; Devroye 1986, 1998",
+      .make = [](std::span<const double> v) -> AnyModel { return AnySplitLaw(BetaMultinomial(v[0], v[1])); }};
+  return info;
 }
 
 }  // namespace ramify

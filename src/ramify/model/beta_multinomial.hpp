@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "ramify/model/split_law.hpp"
-#include "ramify/model/weight_window.hpp"
 #include "ramify/random/variates.hpp"
 
 namespace ramify {
@@ -28,13 +27,13 @@ class BetaMultinomial {
     return binomial_variate(stream, n - 1, beta_variate(stream, a_, b_));
   }
 
-  /// P(left = i) = C(n-1, i) B(i+a, n-1-i+b) / B(a,b).
-  std::vector<double> pmf(Size n) const { return window(n, 0).weights; }
-
-  /// The same without the tails below cutoff times the mode; all of it where a and b are both below 1, for
+  /// P(left = i) = C(n-1, i) B(i+a, n-1-i+b) / B(a,b); all of it where a and b are both below 1, for
   /// then there is a mode at either end. Relative error below 1e-10 (exact ratios outwards from a mode,
   /// scaled to sum 1). O(length).
   WeightWindow window(Size n, double cutoff) const;
+
+  SplitCharacter character() const;
+  static const ModelInfo& info();
 
   friend bool operator==(const BetaMultinomial&, const BetaMultinomial&) = default;
 

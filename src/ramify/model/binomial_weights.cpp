@@ -17,8 +17,4 @@ WeightWindow binomial_window(Size m, double p, double cutoff) {
   return window;
 }
 
-std::vector<double> binomial_weights(Size m, double p) {
-  return binomial_window(m, p, 0).weights;
-}
-
 }  // namespace ramify

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "ramify/model/weight_window.hpp"
 
 namespace ramify {
@@ -10,8 +8,5 @@ namespace ramify {
 /// cutoff 0 gives all of 0..m. Relative error below 1e-12 each (exact ratios outwards from the mode, scaled
 /// to sum 1). 0 < p < 1. O(length): about 27 sqrt(m p (1-p)) at cutoff 1e-40.
 WeightWindow binomial_window(Size m, double p, double cutoff);
-
-/// All of them, k = 0..m. O(m).
-std::vector<double> binomial_weights(Size m, double p);
 
 }  // namespace ramify

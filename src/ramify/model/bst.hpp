@@ -20,7 +20,12 @@ class Bst {
   }
 
   /// P(left = i) = 1/n.
-  std::vector<double> pmf(Size n) const { return std::vector<double>(n, 1 / static_cast<double>(n)); }
+  WeightWindow window(Size n, double) const {
+    return {0, std::vector<double>(n, 1 / static_cast<double>(n))};
+  }
+
+  SplitCharacter character() const;
+  static const ModelInfo& info();
 
   friend bool operator==(const Bst&, const Bst&) = default;
 };

@@ -21,7 +21,12 @@ class Catalan {
   }
 
   /// P(left = i) = C_i C_(n-1-i) / C_n.
-  std::vector<double> pmf(Size n) const;
+  WeightWindow window(Size n, double cutoff) const;
+
+  class Rows;
+
+  SplitCharacter character() const;
+  static const ModelInfo& info();
 
   /// The left size at level u in (0,1) of the lower half of its law: the k <= (n-1)/2 with h(k) >= u >
   /// h(k+1), where
@@ -34,6 +39,18 @@ class Catalan {
   static double central_binomial(Size i);
 
   friend bool operator==(const Catalan&, const Catalan&) = default;
+};
+
+/// The split laws of size after size, from a table of C_i / 4^i.
+class Catalan::Rows {
+ public:
+  explicit Rows(const Catalan&) {}
+
+  /// C_i C_(n-1-i) / 4^(n-1), i = 0..n-1: not scaled. O(n).
+  WeightWindow window(Size n);
+
+ private:
+  std::vector<double> catalan_;
 };
 
 }  // namespace ramify

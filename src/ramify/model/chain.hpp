@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "ramify/model/split_law.hpp"
 
@@ -22,7 +21,16 @@ class Chain {
   }
 
   /// 1/2 at 0 and at n-1.
-  std::vector<double> pmf(Size n) const;
+  WeightWindow window(Size n, double cutoff) const;
+
+  /// One side is as good as the other in a row.
+  struct Rows {
+    explicit Rows(const Chain&) {}
+    WeightWindow window(Size) { return {0, {1.0}}; }
+  };
+
+  SplitCharacter character() const;
+  static const ModelInfo& info();
 
   friend bool operator==(const Chain&, const Chain&) = default;
 };

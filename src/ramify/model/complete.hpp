@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <bit>
-#include <vector>
 
-#include "ramify/model/point_mass.hpp"
 #include "ramify/model/split_law.hpp"
 
 namespace ramify {
@@ -32,8 +30,11 @@ class Complete {
     return n - std::max(last_level / 2, n + 1 - last_level);
   }
 
-  /// 1 at left(n), 0 elsewhere.
-  std::vector<double> pmf(Size n) const { return point_mass(n, left(n)); }
+  /// 1 at left(n).
+  WeightWindow window(Size n, double) const { return {left(n), {1.0}}; }
+
+  SplitCharacter character() const;
+  static const ModelInfo& info();
 
   friend bool operator==(const Complete&, const Complete&) = default;
 };

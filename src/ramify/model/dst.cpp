@@ -1,16 +1,29 @@
 #include "ramify/model/dst.hpp"
 
-#include "ramify/model/binomial_weights.hpp"
-#include "ramify/model/parameter.hpp"
+#include <array>
+
+#include "ramify/model/model_info.hpp"
 
 namespace ramify {
 
 Dst::Dst(double p) : p_(p) {
-  require_probability("dst(p)", "p", p);
+  require_domain(info(), std::array{p});
 }
 
-std::vector<double> Dst::pmf(Size n) const {
-  return binomial_weights(n - 1, p_);
+SplitCharacter Dst::character() const {
+  const ConstantFraction fraction{p_, Scatter::binomial};
+  return {fraction, p_ == 0.5, {.nanoseconds = 16}, reach_of(fraction)};
+}
+
+const ModelInfo& Dst::info() {
+  static const ModelInfo info{
+      .name = "dst",
+      .parameters = {probability("p")},
+      .largest_n = largest_size(),
+      .description = "digital search tree: left ~ Bin(n-1,p); the thesis's binomial tree",
+      .source = "A11, X16",
+      .make = [](std::span<const double> v) -> AnyModel { return AnySplitLaw(Dst(v[0])); }};
+  return info;
 }
 
 }  // namespace ramify

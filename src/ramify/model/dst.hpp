@@ -1,7 +1,6 @@
 #pragma once
 
-#include <vector>
-
+#include "ramify/model/binomial_weights.hpp"
 #include "ramify/model/split_law.hpp"
 #include "ramify/random/variates.hpp"
 
@@ -27,7 +26,10 @@ class Dst {
   }
 
   /// P(left = i) = C(n-1, i) p^i q^(n-1-i).
-  std::vector<double> pmf(Size n) const;
+  WeightWindow window(Size n, double cutoff) const { return binomial_window(n - 1, p_, cutoff); }
+
+  SplitCharacter character() const;
+  static const ModelInfo& info();
 
   friend bool operator==(const Dst&, const Dst&) = default;
 

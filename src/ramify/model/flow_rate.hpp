@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <string_view>
 #include <vector>
 
 #include "ramify/model/fixed_split.hpp"
@@ -19,6 +20,7 @@ class FlowRate {
     Size size;
     Size levels;  ///< from here on, this one counted
   };
+  static constexpr std::string_view label_meaning = "internal nodes from it down in the tree that is cut";
 
   /// @param f  0 < f <= 1. Throws Error.
   explicit FlowRate(double f);
@@ -35,9 +37,13 @@ class FlowRate {
 
   double expected_nodes(Size n) const { return std::ldexp(1, static_cast<int>(n)); }
   std::size_t largest_order(Size n) const { return n == 0 ? 0 : n - 1; }
-  Size largest_size() const { return 50; }
+  Size largest_size() const { return largest_n; }
+
+  static const ModelInfo& info();
 
  private:
+  static constexpr Size largest_n = 50;
+
   FixedSplit split_;
 };
 

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "ramify/model/parameter.hpp"
+#include "ramify/model/model_info.hpp"
 #include "ramify/random/alias_table.hpp"
 #include "ramify/random/uniform.hpp"
 #include "ramify/tree/largest_order.hpp"
@@ -37,10 +37,8 @@ std::size_t tree_start(const std::vector<std::uint32_t>& arity) {
 }  // namespace
 
 GaltonWatson::GaltonWatson(double p0, double p1, double p2) : p1_(p1), ratio_(p0 * p2 / (p1 * p1)) {
-  constexpr std::string_view name = "galton_watson(p0,p1,p2)";
   require_distribution(fmt::format("galton_watson({},{},{})", p0, p1, p2), std::array{p0, p1, p2});
-  require_positive(name, "p0", p0);
-  require_positive(name, "p2", p2);
+  require_domain(info(), std::array{p0, p1, p2});
 }
 
 std::size_t GaltonWatson::largest_order(Size n) const {
@@ -82,7 +80,7 @@ void GaltonWatson::require_size(Size n) const {
                 "take another n");
 }
 
-Tree GaltonWatson::grow(Size n, Stream& stream, const Cancellation&) const {
+Tree GaltonWatson::grow(Size n, Stream& stream, const Cancellation&, std::vector<std::uint64_t>*) const {
   const Size forks = draw_forks(n, stream);
   std::vector<std::uint32_t> arity(n - forks, 1);
   std::fill(arity.begin(), arity.begin() + static_cast<std::ptrdiff_t>(forks + 1), 0);
@@ -90,6 +88,21 @@ Tree GaltonWatson::grow(Size n, Stream& stream, const Cancellation&) const {
   for (std::size_t i = arity.size() - 1; i > 0; --i) std::swap(arity[i], arity[uniform_below(stream, i + 1)]);
   std::rotate(arity.begin(), arity.begin() + static_cast<std::ptrdiff_t>(tree_start(arity)), arity.end());
   return Tree(std::move(arity));
+}
+
+const ModelInfo& GaltonWatson::info() {
+  static const ModelInfo info{
+      .name = "galton_watson",
+      .parameters = {positive("p0"), {"p1", {.low = 0, .holds_low = true}}, positive("p2")},
+      .together = ", sum 1; n odd where p1 = 0",
+      .n_counts = "nodes, external ones counted",
+      .description = "Galton-Watson tree of 0, 1 or 2 children given its number of nodes",
+      .source = "A20; Dvoretzky and Motzkin 1947",
+      .make = [](std::span<const double> v) -> AnyModel {
+        return std::make_shared<const GaltonWatson>(v[0], v[1], v[2]);
+      },
+      .is_split = false};
+  return info;
 }
 
 }  // namespace ramify

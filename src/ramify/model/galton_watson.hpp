@@ -4,6 +4,8 @@
 
 namespace ramify {
 
+struct ModelInfo;
+
 /// A Galton-Watson tree with 0, 1 or 2 children of probabilities p0, p1, p2 given that it has n nodes in all
 /// (A20).
 ///
@@ -15,7 +17,8 @@ class GaltonWatson final : public GrownModel {
   /// Throws Error unless p0, p2 > 0 and p1 >= 0 sum to 1 within 1e-9.
   GaltonWatson(double p0, double p1, double p2);
 
-  Tree grow(Size n, Stream& stream, const Cancellation& cancellation) const override;
+  Tree grow(Size n, Stream& stream, const Cancellation& cancellation,
+            std::vector<std::uint64_t>* labels) const override;
 
   double expected_nodes(Size n) const override { return static_cast<double>(n); }
   std::size_t largest_order(Size n) const override;
@@ -23,6 +26,8 @@ class GaltonWatson final : public GrownModel {
 
   /// n >= 1, odd where p1 = 0.
   void require_size(Size n) const override;
+
+  static const ModelInfo& info();
 
  private:
   Size draw_forks(Size n, Stream& stream) const;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <string_view>
 #include <vector>
 
 #include "ramify/core/cancellation.hpp"
@@ -19,7 +20,12 @@ class GrownModel {
   virtual ~GrownModel() = default;
 
   /// The tree of parameter n, nodes drawn in preorder. 4 bytes a node. Throws Interrupted when cancelled.
-  virtual Tree grow(Size n, Stream& stream, const Cancellation& cancellation) const = 0;
+  /// @param labels  if wanted: what label_meaning() says, of every node by its preorder place; 8 bytes a node
+  virtual Tree grow(Size n, Stream& stream, const Cancellation& cancellation,
+                    std::vector<std::uint64_t>* labels = nullptr) const = 0;
+
+  /// "strings below"; "" of a model whose nodes carry none.
+  virtual std::string_view label_meaning() const { return ""; }
 
   /// Mean number of nodes, internal and external; an estimate.
   virtual double expected_nodes(Size n) const = 0;
@@ -43,6 +49,7 @@ class GrownModel {
 ///   g.root(n)                    the root's label, of type G::Label
 ///   g.children(l, s, labels)     appends the labels of the children of a node, drawn from the stream s; none
 ///                                of an external one. It may change g: a tree is grown by a copy
+///   G::label_meaning             what the label says, as a number: it is one, or has a size
 ///   g.expected_nodes(n), g.largest_order(n)                       as of GrownModel, and so
 ///   g.largest_size(), g.content_hash(), g.require_size(n)         where they are not the default
 template <class G>
@@ -50,7 +57,8 @@ class GrammarModel final : public GrownModel {
  public:
   explicit GrammarModel(G grammar) : grammar_(std::move(grammar)) {}
 
-  Tree grow(Size n, Stream& stream, const Cancellation& cancellation) const override {
+  Tree grow(Size n, Stream& stream, const Cancellation& cancellation,
+            std::vector<std::uint64_t>* labels) const override {
     constexpr std::size_t nodes_between_looks = std::size_t{1} << 20;
     std::unique_ptr<G> grammar = take();
     std::vector<std::uint32_t> arity;
@@ -62,12 +70,14 @@ class GrammarModel final : public GrownModel {
       children.clear();
       grammar->children(label, stream, children);
       arity.push_back(static_cast<std::uint32_t>(children.size()));
+      if (labels != nullptr) labels->push_back(number_of(label));
       pending.insert(pending.end(), children.rbegin(), children.rend());
     }
     give_back(std::move(grammar));
     return Tree(std::move(arity));
   }
 
+  std::string_view label_meaning() const override { return G::label_meaning; }
   double expected_nodes(Size n) const override { return grammar_.expected_nodes(n); }
   std::size_t largest_order(Size n) const override { return grammar_.largest_order(n); }
   Size largest_size() const override {
@@ -89,6 +99,14 @@ class GrammarModel final : public GrownModel {
   }
 
  private:
+  static std::uint64_t number_of(const typename G::Label& label) {
+    if constexpr (requires { label.size; }) {
+      return label.size;
+    } else {
+      return label;
+    }
+  }
+
   // Copies that no tree uses are kept: one of formulas costs as much as a tree of some hundred nodes.
   std::unique_ptr<G> take() const {
     const std::lock_guard lock(mutex_);

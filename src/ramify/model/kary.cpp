@@ -1,15 +1,35 @@
 #include "ramify/model/kary.hpp"
 
-#include <fmt/format.h>
+#include <array>
 
-#include "ramify/core/error.hpp"
+#include "ramify/model/model_info.hpp"
 
 namespace ramify {
+namespace {
 
-Kary::Kary(double k) : k_(static_cast<std::size_t>(k >= 2 && k <= 1000 ? k : 0)) {
-  if (k_ >= 2 && static_cast<double>(k_) == k) return;
-  throw Error(fmt::format("kary(k) with k = {}", k), "k must be a whole number from 2 to 1000",
-              "write kary(3)");
+double checked(double k) {
+  require_domain(Kary::info(), std::array{k});
+  return k;
+}
+
+}  // namespace
+
+Kary::Kary(double k) : k_(static_cast<std::size_t>(checked(k))) {}
+
+const ModelInfo& Kary::info() {
+  static const ModelInfo info{
+      .name = "kary",
+      .parameters = {{.name = "k",
+                      .domain = {.low = 2, .high = 1000, .holds_low = true, .holds_high = true},
+                      .remedy = "write kary(3)",
+                      .is_whole = true}},
+      .n_counts = "levels, external nodes counted",
+      .description = "complete k-ary tree",
+      .source = "A25",
+      .make = [](std::span<const double> v) -> AnyModel { return grown_model(Kary(v[0])); },
+      .is_split = false,
+      .is_binary = false};
+  return info;
 }
 
 }  // namespace ramify

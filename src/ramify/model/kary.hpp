@@ -1,17 +1,21 @@
 #pragma once
 
 #include <cmath>
+#include <string_view>
 #include <vector>
 
 #include "ramify/tree/grammar.hpp"
 
 namespace ramify {
 
+struct ModelInfo;
+
 /// The complete k-ary tree of n levels, external nodes on the last (A25): k^(n-1) external and (k^(n-1) -
 /// 1)/(k-1) internal nodes.
 class Kary {
  public:
-  using Label = Size;  ///< levels from here on
+  using Label = Size;
+  static constexpr std::string_view label_meaning = "levels from it on";
 
   /// @param k  2 to 1000, whole. Throws Error.
   explicit Kary(double k);
@@ -30,6 +34,8 @@ class Kary {
 
   std::size_t largest_order(Size n) const { return n == 0 ? 0 : n - 1; }
   Size largest_size() const { return 62; }
+
+  static const ModelInfo& info();
 
  private:
   std::size_t k_;

@@ -1,11 +1,9 @@
 #pragma once
 
-#include <array>
-#include <cmath>
 #include <span>
 #include <string>
 #include <string_view>
-#include <tuple>
+#include <type_traits>
 #include <vector>
 
 #include "ramify/model/beta.hpp"
@@ -19,47 +17,37 @@
 
 namespace ramify {
 
-// The laws whose parameters may depend on the node: their parameters' names and domain, a node's children.
+// The laws whose parameters may depend on the node: what they are called and how many children a node has.
 
 struct NodeBeta {
   using Law = Beta;
-  static constexpr std::string_view name = "node_beta", domain = "it must be positive and finite";
-  static constexpr std::array<std::string_view, 2> parameters{"A", "B"};
   static constexpr Size children = 2;
-  static bool accepts(double value) { return value > 0 && std::isfinite(value); }
+  static const ModelInfo& info();
 };
 
-/// Of two children, with parameters between 0 and 1.
-struct NodeFraction {
-  static constexpr std::string_view domain = "it must lie in (0,1)";
-  static constexpr Size children = 2;
-  static bool accepts(double value) { return value > 0 && value < 1; }
-};
-
-struct NodeSplit : NodeFraction {
+struct NodeSplit {
   using Law = FixedSplit;
-  static constexpr std::string_view name = "node_split";
-  static constexpr std::array<std::string_view, 1> parameters{"X"};
+  static constexpr Size children = 2;
+  static const ModelInfo& info();
 };
 
-struct NodeDst : NodeFraction {
+struct NodeDst {
   using Law = Dst;
-  static constexpr std::string_view name = "node_dst";
-  static constexpr std::array<std::string_view, 1> parameters{"P"};
+  static constexpr Size children = 2;
+  static const ModelInfo& info();
 };
 
 struct NodeTernary {
   using Law = Ternary;
-  static constexpr std::string_view name = "node_ternary", domain = "it must lie in (0,1/3]";
-  static constexpr std::array<std::string_view, 1> parameters{"P"};
   static constexpr Size children = 3;
-  static bool accepts(double value) { return value > 0 && value <= 1.0 / 3; }
+  static const ModelInfo& info();
 };
 
-/// Throws Error: the formula has such a value at a node, out of the domain.
-[[noreturn]] void refuse_node_value(const Formula& formula, std::string_view model,
-                                    std::string_view parameter, const NodePlace& node, double value,
-                                    std::string_view domain);
+/// Formulas of the texts, one for each parameter of the model. Throws Error where a text is none.
+std::vector<Formula> read_formulas(const ModelInfo& info, std::span<const std::string> texts);
+
+/// The value of the i-th formula at a node. Throws Error where it is out of the parameter's domain.
+double value_at(const ModelInfo& info, std::vector<Formula>& formulas, std::size_t i, const NodePlace& node);
 
 /// Places at which formulas are tried out for trees of size n: depths and sizes in steps of 1 up to 8 and
 /// then of a quarter, as far as nodes of a tree of size n can have them, size 2 at least.
@@ -75,12 +63,11 @@ template <class Kind>
 class NodeDependent {
  public:
   using Label = NodePlace;
+  static constexpr std::string_view label_meaning = "internal nodes from it down";
 
   /// Throws Error where a text is no formula. @param texts  one for each parameter
-  explicit NodeDependent(std::span<const std::string> texts) {
-    for (std::size_t i = 0; i < Kind::parameters.size(); ++i)
-      formulas_.emplace_back(texts[i], std::string(Kind::name) + ": " + std::string(Kind::parameters[i]));
-  }
+  explicit NodeDependent(std::span<const std::string> texts)
+      : formulas_(read_formulas(Kind::info(), texts)) {}
 
   Label root(Size n) const { return {n, 1, n}; }
 
@@ -113,13 +100,13 @@ class NodeDependent {
 
  private:
   typename Kind::Law law_at(const NodePlace& node) {
-    std::array<double, Kind::parameters.size()> values;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      values[i] = formulas_[i](node);
-      if (!Kind::accepts(values[i]))
-        refuse_node_value(formulas_[i], Kind::name, Kind::parameters[i], node, values[i], Kind::domain);
+    const ModelInfo& info = Kind::info();
+    const double first = value_at(info, formulas_, 0, node);
+    if constexpr (std::is_constructible_v<typename Kind::Law, double, double>) {
+      return {first, value_at(info, formulas_, 1, node)};
+    } else {
+      return typename Kind::Law(first);
     }
-    return std::make_from_tuple<typename Kind::Law>(values);
   }
 
   template <class Law, class Urbg>

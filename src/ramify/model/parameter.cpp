@@ -3,29 +3,69 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "ramify/core/error.hpp"
 
 namespace ramify {
+namespace {
 
-void require_probability(std::string_view model, std::string_view name, double value) {
-  if (value > 0 && value < 1) return;
-  throw Error(fmt::format("{} with {} = {}", model, name, value), fmt::format("{} must lie in (0,1)", name),
-              "give a number strictly between 0 and 1, such as 0.23 or 1/4.35");
+/// "1", "0.5", "1/3": thirds are not to be read from their digits.
+std::string end_text(double end) {
+  const double thirds = end * 3;
+  if (thirds == std::floor(thirds) && end != std::floor(end)) return fmt::format("{}/3", thirds);
+  return fmt::format("{}", end);
 }
 
-void require_above(std::string_view model, std::string_view name, double value, double bound,
-                   std::string_view remedy) {
-  if (value > bound && std::isfinite(value)) return;
-  throw Error(fmt::format("{} with {} = {}", model, name, value),
-              fmt::format("{} must be a finite number above {}", name, bound), std::string(remedy));
+std::string describe(const Parameter& of, std::string_view names) {
+  const Domain& domain = of.domain;
+  const std::string low = end_text(domain.low), high = end_text(domain.high);
+  if (of.is_whole) return fmt::format("{} = {}, {}, ..., {}", names, low, domain.low + 1, high);
+  if (std::isinf(domain.high)) return fmt::format("{} {} {}", names, domain.holds_low ? ">=" : ">", low);
+  return fmt::format("{} {} {} {} {}", low, domain.holds_low ? "<=" : "<", names,
+                     domain.holds_high ? "<=" : "<", high);
 }
 
-void require_positive(std::string_view model, std::string_view name, double value) {
-  require_above(model, name, value, 0, "give a positive number, such as 10");
+}  // namespace
+
+bool Parameter::accepts(double value) const {
+  return domain.contains(value) && (!is_whole || value == std::floor(value));
+}
+
+std::string Parameter::requirement() const {
+  const std::string low = end_text(domain.low), high = end_text(domain.high);
+  if (is_whole) return fmt::format("must be a whole number from {} to {}", low, high);
+  if (std::isinf(domain.high))
+    return fmt::format("must be a finite number {} {}", domain.holds_low ? "from" : "above", low);
+  return fmt::format("must lie in {}{},{}{}{}", domain.holds_low ? '[' : '(', low, high,
+                     domain.holds_high ? ']' : ')', reason);
+}
+
+void require_domain(std::string_view model, const Parameter& parameter, double value) {
+  if (parameter.accepts(value)) return;
+  throw Error(fmt::format("{} with {} = {}", model, parameter.name, value),
+              fmt::format("{} {}", parameter.name, parameter.requirement()), std::string(parameter.remedy));
+}
+
+std::string describe_domains(std::span<const Parameter> parameters) {
+  std::vector<std::pair<const Parameter*, std::string>> groups;
+  for (const Parameter& parameter : parameters) {
+    if (parameter.domain == Domain()) continue;
+    const auto same = std::find_if(groups.begin(), groups.end(), [&](const auto& group) {
+      return group.first->domain == parameter.domain;
+    });
+    if (same == groups.end())
+      groups.emplace_back(&parameter, parameter.name);
+    else
+      same->second.append(", ").append(parameter.name);
+  }
+  std::vector<std::string> texts;
+  for (const auto& [parameter, names] : groups) texts.push_back(describe(*parameter, names));
+  return fmt::format("{}", fmt::join(texts, ", "));
 }
 
 double require_distribution(std::string_view problem, std::span<const double> probabilities) {

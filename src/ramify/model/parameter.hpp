@@ -1,19 +1,56 @@
 #pragma once
 
+#include <limits>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace ramify {
 
-/// Throws Error unless 0 < value < 1. model is the way it is written, "dst(p)".
-void require_probability(std::string_view model, std::string_view name, double value);
+/// The numbers between two ends; an end may belong to it or not.
+struct Domain {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  bool holds_low = false;
+  bool holds_high = false;
 
-/// Throws Error unless value is finite and above bound; remedy says what to give instead.
-void require_above(std::string_view model, std::string_view name, double value, double bound,
-                   std::string_view remedy);
+  bool contains(double x) const {
+    return (x > low || (holds_low && x == low)) && (x < high || (holds_high && x == high));
+  }
 
-/// Throws Error unless value is finite and positive.
-void require_positive(std::string_view model, std::string_view name, double value);
+  friend bool operator==(const Domain&, const Domain&) = default;
+};
+
+/// What stands between the commas of a model, and which values it may have.
+struct Parameter {
+  std::string_view name;         ///< "a"
+  Domain domain = {};            ///< of a number; of texts and files all
+  std::string_view remedy = {};  ///< what to give in place of a value out of the domain
+  std::string_view reason = {};  ///< why the domain ends where it does, if it needs one
+  bool is_whole = false;
+
+  bool accepts(double value) const;
+
+  /// "must lie in (0,1)", "must be a finite number above 0"
+  std::string requirement() const;
+};
+
+/// 0 < value < 1.
+constexpr Parameter probability(std::string_view name) {
+  return {name, {0, 1}, "give a number strictly between 0 and 1, such as 0.23 or 1/4.35"};
+}
+
+/// Positive and finite.
+constexpr Parameter positive(std::string_view name) {
+  return {name, {.low = 0}, "give a positive number, such as 10"};
+}
+
+/// Throws Error unless the parameter accepts the value. model is the way it is written, "dst(p)".
+void require_domain(std::string_view model, const Parameter& parameter, double value);
+
+/// "a, b > 0", "p0, p2 > 0, p1 >= 0", "0 < p <= 1/3": parameters of one domain together; nothing of those
+/// that accept all.
+std::string describe_domains(std::span<const Parameter> parameters);
 
 /// The sum of the probabilities. Throws Error, beginning with `problem`, unless they are >= 0 and sum to 1
 /// within 1e-9.

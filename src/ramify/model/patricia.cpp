@@ -1,15 +1,16 @@
 #include "ramify/model/patricia.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 #include "ramify/model/binomial_weights.hpp"
-#include "ramify/model/parameter.hpp"
+#include "ramify/model/model_info.hpp"
 
 namespace ramify {
 
 Patricia::Patricia(double p) : p_(p) {
-  require_probability("patricia(p)", "p", p);
+  require_domain(info(), std::array{p});
 }
 
 WeightWindow Patricia::window(Size n, double cutoff) const {
@@ -27,6 +28,22 @@ WeightWindow Patricia::window(Size n, double cutoff) const {
   const double inner = std::accumulate(weights.begin(), weights.end(), 0.0);
   for (double& w : weights) w /= inner;
   return strings;
+}
+
+SplitCharacter Patricia::character() const {
+  const ConstantFraction fraction{p_, Scatter::strings};
+  return {fraction, p_ == 0.5, {.nanoseconds = 16}, reach_of(fraction)};
+}
+
+const ModelInfo& Patricia::info() {
+  static const ModelInfo info{
+      .name = "patricia",
+      .parameters = {probability("p")},
+      .largest_n = largest_size(),
+      .description = "PATRICIA on n+1 strings: left = K-1, K ~ Bin(n+1,p) given 1 <= K <= n",
+      .source = "A13; Kruszewski 1996, 3.2.2",
+      .make = [](std::span<const double> v) -> AnyModel { return AnySplitLaw(Patricia(v[0])); }};
+  return info;
 }
 
 }  // namespace ramify

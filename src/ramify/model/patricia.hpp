@@ -1,8 +1,5 @@
 #pragma once
 
-#include <vector>
-
-#include "ramify/model/binomial_weights.hpp"
 #include "ramify/model/split_law.hpp"
 #include "ramify/random/variates.hpp"
 
@@ -29,10 +26,11 @@ class Patricia {
   }
 
   /// P(left = i) = C(n+1, i+1) p^(i+1) q^(n-i) / (1 - p^(n+1) - q^(n+1)).
-  std::vector<double> pmf(Size n) const { return window(n, 0).weights; }
-
-  /// The same without the tails below cutoff times the mode of Binomial(n+1, p).
+  /// The cutoff is of the mode of Binomial(n+1, p).
   WeightWindow window(Size n, double cutoff) const;
+
+  SplitCharacter character() const;
+  static const ModelInfo& info();
 
   friend bool operator==(const Patricia&, const Patricia&) = default;
 

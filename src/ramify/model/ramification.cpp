@@ -6,7 +6,7 @@
 
 #include "ramify/core/error.hpp"
 #include "ramify/core/number.hpp"
-#include "ramify/model/parameter.hpp"
+#include "ramify/model/model_info.hpp"
 #include "ramify/random/hash.hpp"
 
 namespace ramify {
@@ -20,6 +20,8 @@ void require_row(const std::vector<double>& row, std::size_t order, std::string_
                 "give the diagonal a positive probability");
 }
 
+constexpr std::string_view root_order = "order of the root, leaf order 0";
+
 /// Internal nodes below and including a node of each order 0, 1, ...
 std::vector<double> expected_internal(const RamificationMatrix& matrix) {
   std::vector<double> expected{0};
@@ -28,6 +30,10 @@ std::vector<double> expected_internal(const RamificationMatrix& matrix) {
     expected.push_back(sides / row.back() + 2 * expected.back());
   }
   return expected;
+}
+
+AnyModel model_of(const RamificationMatrix& matrix, std::string_view name) {
+  return grown_model(Ramification(matrix, name));
 }
 
 }  // namespace
@@ -42,6 +48,69 @@ Ramification::Ramification(const RamificationMatrix& matrix, std::string_view na
   }
   for (const double internal : expected_internal(matrix)) filled->expected_nodes.push_back(2 * internal + 1);
   matrix_ = std::move(filled);
+}
+
+const ModelInfo& ramification_info() {
+  static const ModelInfo info{
+      .name = "ramification",
+      .parameters = {{.name = "PATH"}},
+      .given = "a CSV file order,side,probability[,leaf_order]; n up to its largest order",
+      .n_counts = root_order,
+      .description = "tree grown from a ramification matrix",
+      .source = "A17; Viennot et al. 1989; docs/own-models.md",
+      .make = [](const std::filesystem::path& path) -> AnyModel {
+        return model_of(read_ramification_matrix(path), path.string());
+      },
+      .is_split = false};
+  return info;
+}
+
+const ModelInfo& tokunaga_info() {
+  static const ModelInfo info{
+      .name = "tokunaga",
+      .parameters = {positive("a"), positive("c")},
+      .n_counts = root_order,
+      .description = "random self-similar tree with T_k = a c^(k-1) side branches k orders below",
+      .source = "Tokunaga 1978; Kovchegov and Zaliapin 2018",
+      .make = [](std::span<const double> v) -> AnyModel {
+        require_domain(tokunaga_info(), v);
+        return model_of(tokunaga_matrix(v[0], v[1]), tokunaga_info().signature());
+      },
+      .is_split = false};
+  return info;
+}
+
+const ModelInfo& markov_info() {
+  static const ModelInfo info{
+      .name = "markov",
+      .parameters = {{.name = "PATH"}},
+      .given = "a CSV file state,next,probability[,leaf_order]; n up to its largest state",
+      .n_counts = root_order,
+      .description =
+          "Markov chain as a ramification matrix: states are orders, transitions to higher ones left "
+          "out",
+      .source = "A19; Le Mehaute 1991; docs/own-models.md",
+      .make = [](const std::filesystem::path& path) -> AnyModel {
+        return model_of(read_markov_chain(path), path.string());
+      },
+      .is_split = false};
+  return info;
+}
+
+const ModelInfo& hybrid_info() {
+  static const ModelInfo info{
+      .name = "hybrid",
+      .parameters = {{.name = "PATH_A"}, {.name = "PATH_B"}, {.name = "AAB.."}},
+      .given = "two matrices, and of which to take each row, the lowest order first",
+      .n_counts = root_order,
+      .description = "ramification matrix with rows of two others",
+      .source = "A18; Kruszewski 1996, 4.2.4",
+      .make = [](std::span<const std::string> v) -> AnyModel {
+        return model_of(hybrid_matrix(read_ramification_matrix(v[0]), read_ramification_matrix(v[1]), v[2]),
+                        v[2]);
+      },
+      .is_split = false};
+  return info;
 }
 
 }  // namespace ramify

@@ -11,13 +11,16 @@
 
 namespace ramify {
 
+struct ModelInfo;
+
 /// Trees grown from a ramification matrix (A17): a node of order k has children of the orders k and j < k
 /// with probability p(k,j), or two of order k-1 with probability p(k,k); the higher one left or right with a
 /// fair coin. Leaf order 0; n is the order of the root. Viennot, Eyrolles, Janey and Arques 1989; Kruszewski
 /// 1996, 4.2.4. The matrix is shared by copies.
 class Ramification {
  public:
-  using Label = std::uint32_t;  ///< order
+  using Label = std::uint32_t;
+  static constexpr std::string_view label_meaning = "order, leaf order 0";
 
   /// Throws Error for a negative probability, a row that does not sum to 1 within 1e-9 (they are then scaled
   /// to 1), and p(k,k) = 0: the tree would never end. @param name  for messages
@@ -53,5 +56,12 @@ class Ramification {
   };
   std::shared_ptr<const Matrix> matrix_;
 };
+
+// The models whose trees are grown from a matrix: from one of a file, of Tokunaga numbers, of a Markov chain,
+// of rows of two others.
+const ModelInfo& ramification_info();
+const ModelInfo& tokunaga_info();
+const ModelInfo& markov_info();
+const ModelInfo& hybrid_info();
 
 }  // namespace ramify

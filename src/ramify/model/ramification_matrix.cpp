@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "ramify/core/contract.hpp"
 #include "ramify/core/error.hpp"
 #include "ramify/model/parameter.hpp"
 #include "ramify/text/csv_reader.hpp"
@@ -77,8 +78,7 @@ RamificationMatrix read_markov_chain(const std::filesystem::path& path) {
 }
 
 RamificationMatrix tokunaga_matrix(double a, double c) {
-  require_positive("tokunaga(a,c)", "a", a);
-  require_positive("tokunaga(a,c)", "c", c);
+  RAMIFY_EXPECTS(a > 0 && c > 0);
   RamificationMatrix matrix;
   std::vector<double> sides;  // T_k, ..., T_1
   double total = 1;

@@ -27,7 +27,7 @@ RamificationMatrix read_markov_chain(const std::filesystem::path& path);
 
 /// The random self-similar tree of Tokunaga numbers T_k = a c^(k-1) (Tokunaga 1978; Kovchegov and Zaliapin
 /// 2018): p(k,j) = T_(k-j)/(1 + T_1 + ... + T_k), p(k,k) = 1/(1 + T_1 + ... + T_k). a = 1, c = 2 is the
-/// critical binary Galton-Watson tree given its order. Throws Error unless a, c > 0.
+/// critical binary Galton-Watson tree given its order. a, c > 0.
 RamificationMatrix tokunaga_matrix(double a, double c);
 
 /// A hybrid (A18): the row of the order k-th in pattern from the first matrix where there stands A, from the

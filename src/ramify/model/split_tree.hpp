@@ -4,6 +4,7 @@
 #include <memory>
 #include <new>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "ramify/model/split_law.hpp"
@@ -21,6 +22,7 @@ template <class Law>
 class SplitTree {
  public:
   using Label = Size;
+  static constexpr std::string_view label_meaning = "internal nodes from it down";
 
   // 128 sizes are 132 kB: they stay in a second-level cache (bench/table_bench.cpp).
   static constexpr Size default_table_size = 128;
@@ -57,7 +59,7 @@ class SplitTree {
   void build_tables() {
     auto cells = std::make_shared<std::vector<AliasCell>>(offset(table_size_ + 1));
     for (Size n = 1; n <= table_size_; ++n)
-      build_alias_cells(law_.pmf(n), std::span(*cells).subspan(offset(n), n));
+      build_alias_cells(split_pmf(law_, n), std::span(*cells).subspan(offset(n), n));
     owner_ = std::move(cells);
     cells_ = owner_->data();
   }

@@ -1,8 +1,11 @@
 #include "ramify/model/tabulated_split.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "ramify/core/number.hpp"
+#include "ramify/model/model_info.hpp"
 #include "ramify/model/split_table.hpp"
 #include "ramify/random/hash.hpp"
 #include "ramify/text/text_file.hpp"
@@ -32,11 +35,30 @@ TabulatedSplit TabulatedSplit::parse(std::string_view text, std::string_view nam
   return TabulatedSplit(std::move(table));
 }
 
-std::vector<double> TabulatedSplit::pmf(Size n) const {
+WeightWindow TabulatedSplit::window(Size n, double) const {
   std::vector<double> weights(n, 0.0);
   const auto [begin, count] = row(n);
   for (std::size_t i = begin; i < begin + count; ++i) weights[table_->lefts[i]] = table_->probabilities[i];
-  return weights;
+  return {0, std::move(weights)};
+}
+
+/// Whatever it holds: it may be chains. Between the first and the last entry of a row may be zeros: they cost
+/// as much.
+SplitCharacter TabulatedSplit::character() const {
+  const Size reach = std::min<Size>(largest_size(), 2048);
+  return {UnknownFraction(), false, {.nanoseconds = 8}, {reach, reach}};
+}
+
+const ModelInfo& TabulatedSplit::info() {
+  static const ModelInfo info{.name = "file",
+                              .parameters = {{.name = "PATH"}},
+                              .given = "a CSV file n,left,probability; n up to its largest",
+                              .description = "a split law of one's own: P(left) for every n of a table",
+                              .source = "docs/own-models.md",
+                              .make = [](const std::filesystem::path& path) -> AnyModel {
+                                return AnySplitLaw(TabulatedSplit::read(path));
+                              }};
+  return info;
 }
 
 bool operator==(const TabulatedSplit& a, const TabulatedSplit& b) {

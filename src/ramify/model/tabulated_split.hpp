@@ -41,10 +41,13 @@ class TabulatedSplit {
   }
 
   /// P(left = i), i = 0..n-1; 1 <= n <= largest_size().
-  std::vector<double> pmf(Size n) const;
+  WeightWindow window(Size n, double cutoff) const;
+
+  SplitCharacter character() const;
+  static const ModelInfo& info();
 
   /// Of the probabilities: the same for every file that holds the same law.
-  std::uint64_t hash() const { return table_->hash; }
+  std::uint64_t content_hash() const { return table_->hash; }
 
   friend bool operator==(const TabulatedSplit& a, const TabulatedSplit& b);
 

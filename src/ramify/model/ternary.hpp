@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "ramify/model/split_law.hpp"
@@ -14,7 +15,8 @@ namespace ramify {
 /// that the rest is not negative (the literal law where it exists, X15). Kruszewski 1996, 3.3.3.
 class Ternary {
  public:
-  using Label = Size;  ///< internal nodes below
+  using Label = Size;
+  static constexpr std::string_view label_meaning = "internal nodes from it down";
 
   /// @param p  0 < p <= 1/3, or the first child would not be the main one. Throws Error.
   explicit Ternary(double p);
@@ -35,6 +37,8 @@ class Ternary {
   double expected_nodes(Size n) const { return 3 * static_cast<double>(n) + 1; }
   std::size_t largest_order(Size n) const { return largest_strahler_order(2 * n + 1); }
   Size largest_size() const { return max_double_size; }
+
+  static const ModelInfo& info();
 
  private:
   double p_;

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <cmath>
+#include <string_view>
 #include <vector>
 
-#include "ramify/model/parameter.hpp"
 #include "ramify/model/split_law.hpp"
 #include "ramify/random/variates.hpp"
 #include "ramify/tree/grammar.hpp"
@@ -17,10 +17,11 @@ namespace ramify {
 /// one-child nodes makes it patricia(p).
 class Trie {
  public:
-  using Label = Size;  ///< strings below
+  using Label = Size;
+  static constexpr std::string_view label_meaning = "strings below";
 
   /// @param p  probability of left, 0 < p < 1. Throws Error.
-  explicit Trie(double p) : p_(p) { require_probability("trie(p)", "p", p); }
+  explicit Trie(double p);
 
   Label root(Size n) const { return n; }
 
@@ -40,6 +41,8 @@ class Trie {
 
   std::size_t largest_order(Size n) const { return largest_strahler_order(n); }
   Size largest_size() const { return max_double_size; }
+
+  static const ModelInfo& info();
 
  private:
   double p_;

@@ -12,10 +12,10 @@ namespace {
 double open_levels(const Cell& cell) {
   if (!cell.model.is_split()) return cell.model.grown().expected_nodes(cell.n);  // stored whole
   const double n = static_cast<double>(cell.n);
-  if (cell.model.name() == "catalan") return 6 * std::sqrt(n);
-  double smallest_share = 0.1;
-  if (cell.model.name() == "split" || cell.model.name() == "dst" || cell.model.name() == "patricia")
-    smallest_share = std::min(cell.model.parameters()[0], 1 - cell.model.parameters()[0]);
+  const SplitFraction fraction = cell.model.character().fraction;
+  if (const double e = depth_exponent(fraction); e > 0) return std::min(n, 6 * std::pow(n, e));
+  const auto* constant = std::get_if<ConstantFraction>(&fraction);
+  const double smallest_share = constant != nullptr ? std::min(constant->p, 1 - constant->p) : 0.1;
   return std::min(n, std::log(n + 1) / -std::log1p(-smallest_share) + 50);
 }
 

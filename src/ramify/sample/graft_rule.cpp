@@ -48,14 +48,6 @@ Size mean_counts_graft(Size n) {
   return std::min<Size>(n < Size{1} << 26 ? 2048 : MeanCounts::largest_grafted, std::bit_floor(n / 256));
 }
 
-/// e where the depths of the model's trees grow like n^e, 0 where they grow like log n.
-double depth_exponent(const Model& model) {
-  if (std::holds_alternative<Catalan>(model.law())) return 0.5;
-  if (std::holds_alternative<Chain>(model.law())) return 1;
-  if (const auto* aldous = std::get_if<Aldous>(&model.law())) return std::max(0.0, -1 - aldous->beta());
-  return 0;
-}
-
 Size single_graft(Size n) {
   return std::bit_floor(static_cast<Size>(8 * std::sqrt(static_cast<double>(n))));
 }
@@ -81,7 +73,7 @@ GraftRule::GraftRule(const Model& model, SamplingMethod method)
     : model_(model),
       method_(method),
       largest_(method.graft && model.is_split() ? largest_table(model, method.pass) : 0),
-      depth_exponent_(model.is_split() ? depth_exponent(model) : 0) {}
+      depth_exponent_(model.is_split() ? depth_exponent(model.character().fraction) : 0) {}
 
 Size GraftRule::size(Size n) const {
   if (n < smallest_grafted) return 0;

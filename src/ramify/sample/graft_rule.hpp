@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "ramify/model/registry.hpp"
+#include "ramify/model/model.hpp"
 #include "ramify/sample/sampling_method.hpp"
 
 namespace ramify {
@@ -24,8 +24,7 @@ class GraftRule {
   Size size(Size n) const;
 
   /// About as many nodes as are grown for a tree of size n: n, or n over half the graft size to the power
-  /// 1-e, where depths grow like n^e (catalan: 1/2, chain: 1, aldous: -1-beta or 0, else 0); for the walk its
-  /// length.
+  /// 1-e, where depths grow like n^e (split_character.hpp); for the walk its length.
   double grown_nodes(Size n) const;
 
   /// "every node is grown", "strahler of subtrees up to n = 16384 drawn from the exact law".

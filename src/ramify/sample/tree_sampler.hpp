@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "ramify/core/cancellation.hpp"
-#include "ramify/model/registry.hpp"
+#include "ramify/model/model.hpp"
 #include "ramify/random/stream.hpp"
 #include "ramify/sample/sampling_method.hpp"
 #include "ramify/statistic/tree_measures.hpp"

@@ -1,12 +1,14 @@
 #include "ramify/statistic/trie_zones.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "ramify/core/error.hpp"
-#include "ramify/model/parameter.hpp"
+#include "ramify/model/model_info.hpp"
+#include "ramify/model/trie.hpp"
 #include "ramify/random/variates.hpp"
 
 namespace ramify {
@@ -92,7 +94,7 @@ class ZoneWalk {
 
 RandomTrieStrings::RandomTrieStrings(Size n, double p, StreamKey key, std::uint64_t replicate)
     : n_(n), p_(p), stream_(key, replicate), beyond_(key, replicate, Lane::walk) {
-  require_probability("trie(p)", "p", p);
+  require_domain(Trie::info(), std::array{p});
 }
 
 Size RandomTrieStrings::left(Size, Size strings, Size) {

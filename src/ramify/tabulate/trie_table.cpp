@@ -3,11 +3,9 @@
 #include <array>
 #include <cmath>
 
-#include <fmt/format.h>
-
 #include "ramify/io/csv_writer.hpp"
-#include "ramify/model/parameter.hpp"
-#include "ramify/model/registry.hpp"
+#include "ramify/model/model.hpp"
+#include "ramify/model/trie.hpp"
 
 namespace ramify {
 namespace {
@@ -15,15 +13,14 @@ namespace {
 /// look(replicate, strings) for every trie of the request.
 template <class Look>
 void each_trie(const TrieRequest& request, Look look) {
-  require_probability("trie(p)", "p", request.rule.p);
-  require_positive("trie", "epsilon", request.rule.epsilon);
+  const Model model = Model::make(Trie::info(), std::array{request.rule.p});
+  require_domain("trie", positive("epsilon"), request.rule.epsilon);
   if (!request.strings.empty()) {
     GivenTrieStrings strings(request.strings);
     look(0, strings);
     return;
   }
-  const StreamKey key{request.seed,
-                      Model::parse(fmt::format("trie({})", request.rule.p)).stream_cell(request.rule.n)};
+  const StreamKey key{request.seed, model.stream_cell(request.rule.n)};
   for (std::uint64_t replicate = 0; replicate < request.replicates; ++replicate) {
     RandomTrieStrings strings(request.rule.n, request.rule.p, key, replicate);
     look(replicate, strings);

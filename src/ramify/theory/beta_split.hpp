@@ -3,25 +3,32 @@
 #include <optional>
 #include <variant>
 
-#include "ramify/model/registry.hpp"
+#include "ramify/model/model.hpp"
 
 namespace ramify {
 
-/// The parameters of the limiting split fraction X ~ beta(a,b).
+/// The parameters of a split fraction with a density proportional to x^(a-1) (1-x)^(b-1).
 struct BetaSplit {
   double a;
   double b;
 
-  /// Of a beta tree, floor or multinomial; a bst is beta(1,1), aldous(beta) beta(beta+1,beta+1) for beta >
-  /// -1. Nothing for any other model.
+  /// Of a model whose limiting fraction is X ~ beta(a,b), a, b > 0.
   static std::optional<BetaSplit> of(const Model& model) {
-    if (std::holds_alternative<Bst>(model.law())) return BetaSplit{1, 1};
-    if (const auto* beta = std::get_if<Beta>(&model.law())) return BetaSplit{beta->a(), beta->b()};
-    if (const auto* beta = std::get_if<BetaMultinomial>(&model.law())) return BetaSplit{beta->a(), beta->b()};
-    if (const auto* aldous = std::get_if<Aldous>(&model.law()); aldous != nullptr && aldous->beta() > -1)
-      return BetaSplit{aldous->beta() + 1, aldous->beta() + 1};
-    return std::nullopt;
+    const auto cut = with_cut(model);
+    return cut && cut->a > 0 && cut->b > 0 ? cut : std::nullopt;
   }
+
+  /// The same with a, b > -1: where one is not positive, the density is that of splits cut off at 1/n.
+  static std::optional<BetaSplit> with_cut(const Model& model) {
+    const SplitFraction fraction = model.character().fraction;
+    const auto* beta = std::get_if<BetaFraction>(&fraction);
+    return beta != nullptr ? std::optional(BetaSplit{beta->a, beta->b}) : std::nullopt;
+  }
+
+  friend bool operator==(const BetaSplit&, const BetaSplit&) = default;
 };
+
+inline constexpr BetaSplit uniform_split{1, 1};        ///< of the bst
+inline constexpr BetaSplit catalan_split{-0.5, -0.5};  ///< of the uniform tree
 
 }  // namespace ramify

@@ -3,27 +3,36 @@
 #include <optional>
 #include <variant>
 
-#include "ramify/model/registry.hpp"
+#include "ramify/model/model.hpp"
 #include "ramify/theory/precise.hpp"
 
 namespace ramify {
 
-/// A split whose limiting fraction is a constant: P(next bit is 0) of dst and patricia, x of split(x).
+/// A split whose limiting fraction is a constant.
 ///
 /// Kept as the smaller of p and 1-p: the larger loses p's digits where p is small.
 struct BinarySplit {
   Precise smaller;
+  Scatter scatter;
 
-  explicit BinarySplit(double p) : smaller(p <= 0.5 ? Precise(p) : 1 - Precise(p)) {}
+  explicit BinarySplit(const ConstantFraction& fraction)
+      : smaller(fraction.p <= 0.5 ? Precise(fraction.p) : 1 - Precise(fraction.p)),
+        scatter(fraction.scatter) {}
 
   Precise larger() const { return 1 - smaller; }
 
-  /// The constant fraction of a model; nothing where it is random (bst, beta) or there is none (catalan).
+  /// The constant fraction of a model; nothing where it is random or there is none.
   static std::optional<BinarySplit> of(const Model& model) {
-    if (const auto* fixed = std::get_if<FixedSplit>(&model.law())) return BinarySplit(fixed->x());
-    if (const auto* dst = std::get_if<Dst>(&model.law())) return BinarySplit(dst->p());
-    if (const auto* patricia = std::get_if<Patricia>(&model.law())) return BinarySplit(patricia->p());
-    return std::nullopt;
+    const SplitFraction fraction = model.character().fraction;
+    const auto* constant = std::get_if<ConstantFraction>(&fraction);
+    return constant != nullptr ? std::optional(BinarySplit(*constant)) : std::nullopt;
+  }
+
+  /// Of a model whose path of smaller children decides what lies near the root: where sizes scatter so far
+  /// that they can be 0 (Scatter::binomial), no source says that it does.
+  static std::optional<BinarySplit> of_smaller_path(const Model& model) {
+    auto split = of(model);
+    return split && split->scatter != Scatter::binomial ? split : std::nullopt;
   }
 };
 

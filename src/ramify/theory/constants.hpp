@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "ramify/model/registry.hpp"
+#include "ramify/model/model.hpp"
 #include "ramify/theory/constant.hpp"
 
 namespace ramify {

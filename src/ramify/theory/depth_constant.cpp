@@ -29,9 +29,10 @@ std::optional<Constant> of_binary(const BinarySplit& split) {
 }  // namespace
 
 std::optional<Constant> depth_constant(const Model& model) {
-  if (std::holds_alternative<Bst>(model.law())) return Constant{"depth", 2, 0, "2", "Devroye 1998; C6"};
-  if (std::holds_alternative<Complete>(model.law())) return complete_constant("depth");
-  if (const auto beta = BetaSplit::of(model)) return of_beta(*beta);
+  const auto beta = BetaSplit::of(model);
+  if (beta == uniform_split) return Constant{"depth", 2, 0, "2", "Devroye 1998; C6"};
+  if (is_complete(model)) return complete_constant("depth");
+  if (beta) return of_beta(*beta);
   if (const auto binary = BinarySplit::of(model)) return of_binary(*binary);
   return std::nullopt;
 }

@@ -33,13 +33,12 @@ std::optional<Constant> of_binary(const BinarySplit& split, const char* source) 
 }  // namespace
 
 std::optional<Constant> fill_level_constant(const Model& model) {
-  if (std::holds_alternative<Complete>(model.law())) return complete_constant("fill_level");
+  if (is_complete(model)) return complete_constant("fill_level");
   if (const auto beta = BetaSplit::of(model)) return of_beta(*beta);
-  if (std::holds_alternative<Dst>(model.law())) return std::nullopt;
-  const bool fixed = std::holds_alternative<FixedSplit>(model.law());
-  if (const auto binary = BinarySplit::of(model))
-    return of_binary(*binary, fixed ? "the path of smaller children; C11" : "Kruszewski 1996, cor. B.2; C17");
-  return std::nullopt;
+  const auto binary = BinarySplit::of_smaller_path(model);
+  if (!binary) return std::nullopt;
+  const bool fixed = binary->scatter == Scatter::none;
+  return of_binary(*binary, fixed ? "the path of smaller children; C11" : "Kruszewski 1996, cor. B.2; C17");
 }
 
 }  // namespace ramify

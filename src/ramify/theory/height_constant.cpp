@@ -31,7 +31,7 @@ std::optional<Constant> of_binary(const BinarySplit& split) {
 }  // namespace
 
 std::optional<Constant> height_constant(const Model& model) {
-  if (std::holds_alternative<Complete>(model.law())) return complete_constant("height");
+  if (is_complete(model)) return complete_constant("height");
   if (const auto beta = BetaSplit::of(model)) return of_beta(*beta);
   if (const auto binary = BinarySplit::of(model)) return of_binary(*binary);
   return std::nullopt;

@@ -3,40 +3,31 @@
 #include "ramify/theory/beta_horton_ratio.hpp"
 #include "ramify/theory/binary_split.hpp"
 #include "ramify/theory/bst_horton_ratio.hpp"
+#include "ramify/theory/complete_constant.hpp"
 #include "ramify/theory/make_constant.hpp"
 
 namespace ramify {
-namespace {
-
-/// With a, b > -1: the wave wants no more, and an aldous tree has them at every beta.
-std::optional<BetaSplit> wave_split(const Model& model) {
-  if (const auto* aldous = std::get_if<Aldous>(&model.law()))
-    return BetaSplit{aldous->beta() + 1, aldous->beta() + 1};
-  return BetaSplit::of(model);
-}
-
-}  // namespace
 
 std::optional<Constant> horton_ratio_constant(const Model& model) {
-  if (std::holds_alternative<Catalan>(model.law()))
+  const auto beta = BetaSplit::with_cut(model);  // the wave wants no more
+  if (beta == catalan_split)
     return make_constant("horton_ratio", Rounded{4, 0}, "4, ratio of streams (nodes: 2)",
                          "Moon 1980; C22, C23");
-  if (std::holds_alternative<Complete>(model.law()))
+  if (is_complete(model))
     return make_constant("horton_ratio", Rounded{2, 0}, "2, ratio of streams", "A3; Viennot et al. 1989");
-  if (std::holds_alternative<Bst>(model.law()))
+  if (beta == uniform_split)
     return make_constant(
         "horton_ratio", bst_horton_ratio(),
         "lim nu_(k-1)/nu_k, nu_k = integral of e^-t (D_(k-2) - D_(k-1))^2, D_k' = D_k (1 - D_k) + (D_(k-1) - "
         "D_k)^2; ratio of streams",
         "Kovchegov, Zaliapin 2017; against C20; docs/theory/horton-ratio.md");
-  if (const auto beta = wave_split(model))
+  if (beta)
     return make_constant("horton_ratio", beta_horton_ratio(*beta),
                          "e^c, c the speed of the wave P(S_n > k) = psi(log n - c k); ratio of streams",
                          "derived in docs/theory/horton-ratio.md");
-  if (std::holds_alternative<Dst>(model.law())) return std::nullopt;
-  const auto binary = BinarySplit::of(model);
+  const auto binary = BinarySplit::of_smaller_path(model);
   if (!binary) return std::nullopt;
-  const bool fixed = std::holds_alternative<FixedSplit>(model.law());
+  const bool fixed = binary->scatter == Scatter::none;
   return make_constant(
       "horton_ratio", round_to_double(1 / binary->smaller, 1),
       "1/min(p,1-p), ratio of streams as the order grows",

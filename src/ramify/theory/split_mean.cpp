@@ -13,12 +13,12 @@ std::optional<Constant> mean(const std::optional<Rounded>& found, std::string_vi
 }  // namespace
 
 std::optional<Constant> split_mean(const Model& model) {
-  if (std::holds_alternative<Bst>(model.law())) return mean(Rounded{0.5, 0}, "1/2");
-  if (const auto* fixed = std::get_if<FixedSplit>(&model.law())) return mean(Rounded{fixed->x(), 0}, "x");
-  if (const auto* dst = std::get_if<Dst>(&model.law())) return mean(Rounded{dst->p(), 0}, "p");
-  if (const auto* patricia = std::get_if<Patricia>(&model.law())) return mean(Rounded{patricia->p(), 0}, "p");
+  const SplitFraction fraction = model.character().fraction;
+  if (const auto* constant = std::get_if<ConstantFraction>(&fraction))
+    return mean(Rounded{constant->p, 0}, constant->scatter == Scatter::none ? "x" : "p");
   const auto beta = BetaSplit::of(model);
   if (!beta) return std::nullopt;
+  if (beta == uniform_split) return mean(Rounded{0.5, 0}, "1/2");
   const Precise a = beta->a, b = beta->b;
   return mean(round_to_double(a / (a + b), 1), "a/(a+b)");
 }

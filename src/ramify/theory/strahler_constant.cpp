@@ -24,16 +24,15 @@ Constant from_ratio(const Constant& ratio) {
 }  // namespace
 
 std::optional<Constant> strahler_constant(const Model& model, const std::optional<Constant>& horton_ratio) {
-  if (std::holds_alternative<Catalan>(model.law()))
+  const auto beta = BetaSplit::with_cut(model);
+  if (beta == catalan_split)
     return make_constant("strahler", round_to_double(1 / log(Precise(4)), 1), "1/log 4",
                          "Flajolet, Raoult, Vuillemin 1979; C22");
-  if (std::holds_alternative<Complete>(model.law())) return complete_constant("strahler");
-  if (BetaSplit::of(model) || std::holds_alternative<Aldous>(model.law()))
-    return horton_ratio ? std::optional(from_ratio(*horton_ratio)) : std::nullopt;
-  if (std::holds_alternative<Dst>(model.law())) return std::nullopt;
-  const auto binary = BinarySplit::of(model);
+  if (is_complete(model)) return complete_constant("strahler");
+  if (beta) return horton_ratio ? std::optional(from_ratio(*horton_ratio)) : std::nullopt;
+  const auto binary = BinarySplit::of_smaller_path(model);
   if (!binary) return std::nullopt;
-  const bool fixed = std::holds_alternative<FixedSplit>(model.law());
+  const bool fixed = binary->scatter == Scatter::none;
   return make_constant(
       "strahler", round_to_double(-1 / log(binary->smaller), 1), "1/log(1/min(p,1-p))",
       fixed ? "Kruszewski 1996, fact 3.2; C10, C11" : "Devroye, Kruszewski 1996, theorem B.3; C17");

@@ -1,10 +1,10 @@
-#include "ramify/law/beta_rows.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/special_functions/gamma.hpp>
+
+#include "ramify/model/beta.hpp"
 
 namespace ramify {
 namespace {
@@ -32,12 +32,12 @@ std::array<Node, points> unit_nodes() {
 
 }  // namespace
 
-BetaRows::BetaRows(const Beta& law)
+Beta::Rows::Rows(const Beta& law)
     : law_(law),
-      log_beta_(boost::math::lgamma(law.a()) + boost::math::lgamma(law.b()) -
-                boost::math::lgamma(law.a() + law.b())) {}  // not std::lgamma: it writes to a global
+      log_beta_(boost::math::lgamma(law.a_) + boost::math::lgamma(law.b_) -
+                boost::math::lgamma(law.a_ + law.b_)) {}  // not std::lgamma: it writes to a global
 
-void BetaRows::extend_tables(Size n) {
+void Beta::Rows::extend_tables(Size n) {
   static const auto nodes = unit_nodes<points>();
   for (Size i = left_.size(); i < n; ++i) {
     const double middle = static_cast<double>(i) + 0.5;
@@ -45,25 +45,25 @@ void BetaRows::extend_tables(Size n) {
     auto& right = right_.emplace_back();
     for (std::size_t q = 0; q < points; ++q) {
       const double off = (nodes[q].t - 0.5) / middle;
-      left[q] = nodes[q].weight * std::exp((law_.a() - 1) * std::log1p(off));
-      right[q] = std::exp((law_.b() - 1) * std::log1p(-off));
+      left[q] = nodes[q].weight * std::exp((law_.a_ - 1) * std::log1p(off));
+      right[q] = std::exp((law_.b_ - 1) * std::log1p(-off));
     }
-    log_left_.push_back((law_.a() - 1) * std::log(middle));
-    log_right_.push_back((law_.b() - 1) * std::log(middle));
+    log_left_.push_back((law_.a_ - 1) * std::log(middle));
+    log_right_.push_back((law_.b_ - 1) * std::log(middle));
   }
 }
 
 /// How much the log density changes over the cell of i: its slope or its curvature, whichever is more.
-double BetaRows::change(Size i, Size n) const {
+double Beta::Rows::change(Size i, Size n) const {
   const double x = static_cast<double>(i) + 0.5, y = static_cast<double>(n - 1 - i) + 0.5;
-  const double left = (law_.a() - 1) / x, right = (law_.b() - 1) / y;
+  const double left = (law_.a_ - 1) / x, right = (law_.b_ - 1) / y;
   return std::max(std::abs(left - right), std::abs(left / x + right / y));
 }
 
-void BetaRows::fill(Size n, std::vector<double>& weights) {
+WeightWindow Beta::Rows::window(Size n) {
   extend_tables(n);
-  weights.assign(n, 0.0);
-  const double scale = -log_beta_ - (law_.a() + law_.b() - 1) * std::log(static_cast<double>(n));
+  std::vector<double> weights(n, 0.0);
+  const double scale = -log_beta_ - (law_.a_ + law_.b_ - 1) * std::log(static_cast<double>(n));
   for (Size i = 0; i < n; ++i) {
     const Size j = n - 1 - i;
     const double log_middle = log_left_[i] + log_right_[j] + scale;
@@ -78,6 +78,7 @@ void BetaRows::fill(Size n, std::vector<double>& weights) {
     for (std::size_t q = 0; q < points; ++q) sum += left_[i][q] * right_[j][q];
     weights[i] = std::exp(log_middle) * sum;
   }
+  return {0, std::move(weights)};
 }
 
 }  // namespace ramify
