@@ -1,12 +1,13 @@
 # One static library per folder of src/ramify, named ramify::<folder>. Its links are the ladder of
 # docs/design.md: a module can include only what it links (tests/headers checks it).
 #   ramify_module(tree SOURCES a.cpp b.cpp LINKS ramify::random PRIVATE_LINKS fmt::fmt)
+# APART: every source by itself even in a unity build, for those whose templates take longer than their headers.
 
 # Private links that leave nothing to link: users of an installed ramify need not have them.
 set(RAMIFY_HEADER_ONLY Boost::headers Eigen3::Eigen nlohmann_json::nlohmann_json)
 
 function(ramify_module name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
+  cmake_parse_arguments(ARG "APART" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
   set(target ramify_${name})
   set(private_links)
   foreach(link IN LISTS ARG_PRIVATE_LINKS)
@@ -19,6 +20,9 @@ function(ramify_module name)
     add_library(${target} STATIC ${ARG_SOURCES})
     target_include_directories(${target} PUBLIC
       $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+    if(NOT ARG_APART)
+      ramify_together(${target})
+    endif()
     target_link_libraries(${target} PUBLIC ramify_language ${ARG_LINKS}
       PRIVATE $<BUILD_INTERFACE:ramify_warnings> ${private_links})
   else()

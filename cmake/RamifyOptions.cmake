@@ -12,6 +12,14 @@ install(TARGETS ramify_language EXPORT ramifyTargets)
 add_library(ramify_warnings INTERFACE)
 target_compile_options(ramify_warnings INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow $<$<BOOL:${RAMIFY_WERROR}>:-Werror>)
+# The headers of the standard library and of Boost cost more than our code: read once for eight sources, the whole is compiled
+# in a third of the time. An error names its own file and line as ever. Off (preset dev) every source is compiled by itself, and
+# a small change is built fastest.
+option(RAMIFY_UNITY "Compile up to eight sources of a target as one" OFF)
+function(ramify_together target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${RAMIFY_UNITY} UNITY_BUILD_BATCH_SIZE 8)
+endfunction()
+
 # For what is neither measured nor sampled, the command line and the unit tests: compiled in half the time.
 add_library(ramify_unhurried INTERFACE)
 if(NOT RAMIFY_SANITIZE)

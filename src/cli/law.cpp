@@ -4,9 +4,9 @@
 #include "session.hpp"
 #include "verbs.hpp"
 
+#include "ramify/config/size_list.hpp"
 #include "ramify/core/physical_memory.hpp"
 #include "ramify/tabulate/law_table.hpp"
-#include "ramify/config/size_list.hpp"
 
 namespace ramify::cli {
 namespace {
@@ -36,15 +36,16 @@ void add_law(Program& program) {
   auto options = std::make_shared<Options>();
   Verb verb = program.verb(
       "law", "Exact law of a statistic at finite n, computed without sampling: probabilities right to 1e-15");
-  verb.option("--model", options->model,
-                   "model, such as bst or \"beta(10,80)\"; see: ramify list models", Need::required);
+  verb.option("--model", options->model, "model, such as bst or \"beta(10,80)\"; see: ramify list models",
+              Need::required);
   verb.option("--n", options->n, "sizes: N[,N..], or from:to:count, a geometric grid", Need::required);
   verb.option(
-          "--statistic", options->statistic,
-          "strahler, height, depth, external_depth, fill_level, balance; orders: mean nodes and streams by "
-          "order; with --moments also path_length, sackin, colless", Need::required);
-  const DeclaredOption moments = verb.flag("--moments", options->moments,
-                                 "mean and variance; of orders: of the nodes and streams of every order");
+      "--statistic", options->statistic,
+      "strahler, height, depth, external_depth, fill_level, balance; orders: mean nodes and streams by "
+      "order; with --moments also path_length, sackin, colless",
+      Need::required);
+  const DeclaredOption moments = verb.flag(
+      "--moments", options->moments, "mean and variance; of orders: of the nodes and streams of every order");
   Verb::exclude(moments, verb.flag("--covariances", options->covariances, "of orders: of every two counts"));
   verb.flag("--yes", options->yes, "allow more than an hour");
   verb.option("-o,--output", options->output, "write the table to this file, in one step");

@@ -6,11 +6,11 @@
 #include <fmt/ranges.h>
 
 #include "ramify/core/nearest_name.hpp"
+#include "ramify/format/read_trees.hpp"
 #include "ramify/measure/measure_json.hpp"
 #include "ramify/measure/measure_tables.hpp"
-#include "ramify/tree/contract_unary.hpp"
-#include "ramify/format/read_trees.hpp"
 #include "ramify/text/read_count.hpp"
+#include "ramify/tree/contract_unary.hpp"
 
 namespace ramify::cli {
 namespace {
@@ -101,18 +101,21 @@ ExitCode measure(const Options& options, const Cancellation& cancellation) {
 void add_measure(Program& program) {
   auto options = std::make_shared<Options>();
   Verb verb = program.verb("measure", "Orders, ratios and every statistic of trees read from files");
-  verb.option("FILE", options->files, "files of trees, or of counts of streams; - is standard input", Need::required);
+  verb.option("FILE", options->files, "files of trees, or of counts of streams; - is standard input",
+              Need::required);
   verb.option("--format", options->format,
-                   "newick, swc, mtg, qsm, edges, flowlines, parens or json; auto: found by content", Need::defaulted);
+              "newick, swc, mtg, qsm, edges, flowlines, parens or json; auto: found by content",
+              Need::defaulted);
   verb.option("--leaf-order", options->leaf_order, "order of the tips in the table: 0 or 1", Need::defaulted);
   verb.option("--root", options->root,
-                   "of a table: the id of the root; all: every root a tree of its own; neurites: what leaves "
-                   "the soma of a neuron");
+              "of a table: the id of the root; all: every root a tree of its own; neurites: what leaves "
+              "the soma of a neuron");
   verb.option("--scale", options->scale, "of an MTG: the scale of the nodes; 0 the finest", Need::defaulted);
   verb.flag("--keep-unary", options->keep_unary,
-                 "count one-child nodes, as in tries, instead of contracting them");
+            "count one-child nodes, as in tries, instead of contracting them");
   verb.option("--output", options->output,
-                   "orders, summary (a row a tree), levels (a row a depth), nodes (a row a node) or json", Need::defaulted);
+              "orders, summary (a row a tree), levels (a row a depth), nodes (a row a node) or json",
+              Need::defaulted);
   verb.option("-o,--out", options->out, "write the table to this file, in one step");
   verb.example("Example: ramify measure data/examples/sapling.newick");
   verb.work([options](const Cancellation& cancellation) { return measure(*options, cancellation); });

@@ -96,8 +96,7 @@ void add_reproduce(Program& program) {
   options->flags.out = "results/runs/reproduce";
   Verb verb = program.verb("reproduce", "Run every config of a scale and print the verdict on every claim");
   verb.option("--scale", options->scale, "quick (minutes) or full", Need::defaulted);
-  verb.option("--claim", options->claim,
-                   "only the configs that serve this claim; see: ramify list claims");
+  verb.option("--claim", options->claim, "only the configs that serve this claim; see: ramify list claims");
   verb.option("--configs", options->configs, "folder with quick/ and full/");
   options->flags.add_to(verb);
   verb.example("Example: ramify reproduce --scale quick --claim C22");

@@ -6,8 +6,8 @@
 #include "session.hpp"
 #include <fmt/format.h>
 
-#include "ramify/run/plan.hpp"
 #include "ramify/io/atomic_file.hpp"
+#include "ramify/run/plan.hpp"
 
 namespace ramify::cli {
 namespace {

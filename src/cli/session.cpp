@@ -11,8 +11,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "ramify/run/plan.hpp"
 #include "ramify/io/atomic_file.hpp"
+#include "ramify/run/plan.hpp"
 #include "ramify/text/read_count.hpp"
 
 namespace ramify::cli {

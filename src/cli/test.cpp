@@ -4,12 +4,12 @@
 #include "verbs.hpp"
 #include <fmt/format.h>
 
-#include "ramify/core/number.hpp"
 #include "ramify/compare/tree_comparison.hpp"
-#include "ramify/tree/contract_unary.hpp"
+#include "ramify/core/number.hpp"
 #include "ramify/format/read_trees.hpp"
 #include "ramify/io/csv_writer.hpp"
 #include "ramify/text/read_count.hpp"
+#include "ramify/tree/contract_unary.hpp"
 
 namespace ramify::cli {
 namespace {
@@ -53,18 +53,20 @@ ExitCode test(const Options& options, const Cancellation& cancellation) {
 
 void add_test(Program& program) {
   auto options = std::make_shared<Options>();
-  Verb verb = program.verb(
-      "test", "Is a tree like trees of a model? Its statistics beside theirs, with p-values");
+  Verb verb =
+      program.verb("test", "Is a tree like trees of a model? Its statistics beside theirs, with p-values");
   verb.option("TREE", options->files, "files of trees; - is standard input", Need::required);
   verb.option("--format", options->format,
-                   "newick, swc, mtg, qsm, edges, flowlines, parens or json; auto: found by content", Need::defaulted);
+              "newick, swc, mtg, qsm, edges, flowlines, parens or json; auto: found by content",
+              Need::defaulted);
   verb.option("--root", options->root, "of a table: the id of the root, all, or neurites");
-  verb.option("--model", options->model,
-                   "model, such as bst or \"beta(10,80)\"; see: ramify list models", Need::required);
-  verb.option("--replicates", options->replicates, "trees to simulate for what has no exact law", Need::defaulted);
+  verb.option("--model", options->model, "model, such as bst or \"beta(10,80)\"; see: ramify list models",
+              Need::required);
+  verb.option("--replicates", options->replicates, "trees to simulate for what has no exact law",
+              Need::defaulted);
   verb.option("--seed", options->seed, "seed", Need::defaulted);
   verb.option("--threads", options->threads,
-                   "threads; all cores if left out. The result does not depend on it");
+              "threads; all cores if left out. The result does not depend on it");
   verb.option("-o,--output", options->output, "write the table to this file, in one step");
   verb.example("Example: ramify test my_tree.txt --model bst");
   verb.work([options](const Cancellation& cancellation) { return test(*options, cancellation); });

@@ -27,7 +27,8 @@ void add_theory(Program& program) {
   };
   auto options = std::make_shared<Options>();
   Verb verb = program.verb("theory", "Limit constants of a model, computed, with formula, error and source");
-  verb.option("--model", options->models, "a model, or several separated by commas: \"bst,beta(10,80)\"", Need::required);
+  verb.option("--model", options->models, "a model, or several separated by commas: \"bst,beta(10,80)\"",
+              Need::required);
   verb.option("-o,--output", options->output, "write the table to this file");
   verb.example("Example: ramify theory --model \"beta(10,80)\"");
   verb.work([options](const Cancellation&) {

@@ -46,10 +46,11 @@ void add_trie(Program& program) {
   verb.option("--n", options->n, "number of random strings");
   verb.option("--strings", options->strings, "the strings themselves, 01001,01011,10011");
   verb.option("--epsilon", options->epsilon,
-                   "zone A: n q >= n^epsilon, zone C: n q <= n^-epsilon, B between them", Need::defaulted);
+              "zone A: n q >= n^epsilon, zone C: n q <= n^-epsilon, B between them", Need::defaulted);
   verb.flag("--nodes", options->nodes, "a row for every node: path, strings through it, n q, zone");
   verb.option("--replicates", options->replicates, "number of random tries", Need::defaulted);
-  verb.option("--seed", options->seed, "seed; the tries are those of sample --model \"trie(p)\"", Need::defaulted);
+  verb.option("--seed", options->seed, "seed; the tries are those of sample --model \"trie(p)\"",
+              Need::defaulted);
   verb.option("-o,--output", options->output, "write the table to this file, in one step");
   verb.example("Example: ramify trie --strings 01001,01011,10011,10100,11100 --nodes");
   verb.work([options](const Cancellation&) { return trie(*options); });

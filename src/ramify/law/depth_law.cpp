@@ -8,7 +8,7 @@
 namespace ramify {
 namespace {
 
-constexpr double negligible = 1e-20;
+constexpr double not_stored = 1e-20;
 
 }  // namespace
 
@@ -33,7 +33,7 @@ void DepthLaw::extend(const SplitRow& row) {
     double* out = sums.data() + (law.first + 1 - first);
     for (std::size_t d = 0; d < law.probabilities.size(); ++d) out[d] += weight * law.probabilities[d];
   });
-  const auto kept = trim_to_law(sums, negligible);
+  const auto kept = trim_to_law(sums, not_stored);
   laws_.push_back({first + static_cast<Size>(kept.data() - sums.data()), {kept.begin(), kept.end()}});
 }
 

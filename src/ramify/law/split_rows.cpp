@@ -8,7 +8,7 @@
 namespace ramify {
 namespace {
 
-constexpr double negligible = 1e-18;
+constexpr double dropped_below = 1e-18;
 constexpr double read_back_nanoseconds = 4;  // of an entry
 constexpr double far_below = 1e-40;  // of the mode of a binomial law: P(K = 0) may be nearly all of it
 
@@ -30,7 +30,7 @@ SplitRows::SplitRows(const Model& model)
 SplitRow SplitRows::row(Size n) {
   RAMIFY_EXPECTS(n >= 1);
   fold(n, n == 1 ? WeightWindow{0, {1.0}} : left_(n));
-  const auto kept = trim_to_law(weights_, negligible);
+  const auto kept = trim_to_law(weights_, dropped_below);
   return {n, smallest_ + static_cast<Size>(kept.data() - weights_.data()), kept};
 }
 

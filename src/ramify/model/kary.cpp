@@ -7,14 +7,14 @@
 namespace ramify {
 namespace {
 
-double checked(double k) {
+double checked_arity(double k) {
   require_domain(Kary::info(), std::array{k});
   return k;
 }
 
 }  // namespace
 
-Kary::Kary(double k) : k_(static_cast<std::size_t>(checked(k))) {}
+Kary::Kary(double k) : k_(static_cast<std::size_t>(checked_arity(k))) {}
 
 const ModelInfo& Kary::info() {
   static const ModelInfo info{

@@ -13,7 +13,7 @@ namespace {
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// A stream as far as it was met.
-struct Stream {
+struct OpenStream {
   std::uint8_t order = 0;
   BranchPieces pieces;
 };
@@ -21,7 +21,7 @@ struct Stream {
 /// Sums over the streams of every order.
 class OrderSums {
  public:
-  void add(const Stream& stream) {
+  void add(const OpenStream& stream) {
     if (sums_.size() <= stream.order) sums_.resize(stream.order + std::size_t{1});
     Sums& sums = sums_[stream.order];
     if (const double length = stream.pieces.length(); !std::isnan(length)) {
@@ -53,10 +53,10 @@ class OrderSums {
 };
 
 /// The stream that goes on above a fork: that of its highest child, unless two are as high. The others end.
-Stream join(std::span<const Stream> below, OrderSums& sums) {
-  const auto highest = std::ranges::max_element(below, {}, &Stream::order);
-  const auto as_high = std::ranges::count(below, highest->order, &Stream::order);
-  Stream above;
+OpenStream join(std::span<const OpenStream> below, OrderSums& sums) {
+  const auto highest = std::ranges::max_element(below, {}, &OpenStream::order);
+  const auto as_high = std::ranges::count(below, highest->order, &OpenStream::order);
+  OpenStream above;
   if (as_high == 1) {
     above = *highest;
   } else {
@@ -73,10 +73,10 @@ StreamGeometry stream_geometry(const Tree& tree, std::span<const double> lengths
                                std::span<const double> radii) {
   RAMIFY_EXPECTS(tree.node_count() > 0);
   OrderSums sums;
-  std::vector<Stream> streams;  // of the subtrees that were met, as in measure.hpp
+  std::vector<OpenStream> streams;  // of the subtrees that were met, as in measure.hpp
   for (std::size_t node = tree.node_count(); node-- > 0;) {
     const std::size_t children = tree.arity(node);
-    Stream stream;
+    OpenStream stream;
     if (children > 0) {
       const std::size_t first = streams.size() - children;
       stream = join(std::span(streams).subspan(first), sums);

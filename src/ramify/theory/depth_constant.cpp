@@ -10,7 +10,7 @@
 namespace ramify {
 namespace {
 
-std::optional<Constant> of_beta(const BetaSplit& split) {
+std::optional<Constant> depth_of_beta(const BetaSplit& split) {
   using boost::math::digamma;
   const Precise a = split.a, b = split.b;
   const Precise at_root = digamma(a + b + 1);
@@ -19,7 +19,7 @@ std::optional<Constant> of_beta(const BetaSplit& split) {
                        "1/mu, mu = psi(a+b+1) - (a psi(a+1) + b psi(b+1))/(a+b)", "Devroye 1998; C6");
 }
 
-std::optional<Constant> of_binary(const BinarySplit& split) {
+std::optional<Constant> depth_of_binary(const BinarySplit& split) {
   const Precise p = split.smaller, q = split.larger();
   const Precise entropy = -p * log(p) - q * log1p(-p);
   return make_constant("depth", round_to_double(1 / entropy, 1), "1/(p log(1/p) + q log(1/q)), q = 1-p",
@@ -32,8 +32,8 @@ std::optional<Constant> depth_constant(const Model& model) {
   const auto beta = BetaSplit::of(model);
   if (beta == uniform_split) return Constant{"depth", 2, 0, "2", "Devroye 1998; C6"};
   if (is_complete(model)) return complete_constant("depth");
-  if (beta) return of_beta(*beta);
-  if (const auto binary = BinarySplit::of(model)) return of_binary(*binary);
+  if (beta) return depth_of_beta(*beta);
+  if (const auto binary = BinarySplit::of(model)) return depth_of_binary(*binary);
   return std::nullopt;
 }
 

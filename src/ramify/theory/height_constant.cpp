@@ -8,7 +8,7 @@
 namespace ramify {
 namespace {
 
-std::optional<Constant> of_beta(const BetaSplit& split) {
+std::optional<Constant> height_of_beta(const BetaSplit& split) {
   if (!LogMoment::reaches(split)) return std::nullopt;
   const LogMoment log_moment(split);
   // The gap rises for t > 0 from -mu at t = 1.
@@ -23,7 +23,7 @@ std::optional<Constant> of_beta(const BetaSplit& split) {
                        "Devroye 1986, Reed 2003; C7");
 }
 
-std::optional<Constant> of_binary(const BinarySplit& split) {
+std::optional<Constant> height_of_binary(const BinarySplit& split) {
   return make_constant("height", round_to_double(-1 / log1p(-split.smaller), 1), "1/log(1/max(p,1-p))",
                        "Pittel 1985; C7");
 }
@@ -32,8 +32,8 @@ std::optional<Constant> of_binary(const BinarySplit& split) {
 
 std::optional<Constant> height_constant(const Model& model) {
   if (is_complete(model)) return complete_constant("height");
-  if (const auto beta = BetaSplit::of(model)) return of_beta(*beta);
-  if (const auto binary = BinarySplit::of(model)) return of_binary(*binary);
+  if (const auto beta = BetaSplit::of(model)) return height_of_beta(*beta);
+  if (const auto binary = BinarySplit::of(model)) return height_of_binary(*binary);
   return std::nullopt;
 }
 
