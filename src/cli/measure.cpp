@@ -6,11 +6,12 @@
 #include <fmt/ranges.h>
 
 #include "ramify/core/nearest_name.hpp"
+#include "ramify/format/read_trees.hpp"
+#include "ramify/io/csv_writer.hpp"
 #include "ramify/measure/measure_json.hpp"
 #include "ramify/measure/measure_tables.hpp"
-#include "ramify/tree/contract_unary.hpp"
-#include "ramify/format/read_trees.hpp"
 #include "ramify/text/read_count.hpp"
+#include "ramify/tree/contract_unary.hpp"
 
 namespace ramify::cli {
 namespace {
@@ -27,7 +28,7 @@ struct Options {
 struct Measured {
   std::vector<MeasuredOrders> orders;
   std::vector<TreeMeasurement> all;
-  std::string rows;  ///< of levels or nodes
+  Table levels = level_table(), nodes = node_table();
 };
 
 unsigned small_number(const std::string& option, const std::string& text, std::uint64_t most) {
@@ -57,19 +58,19 @@ void measure_one(const RecordedTree& tree, unsigned leaf_order, const Options& o
   if (options.output == "orders") {
     measured.orders.push_back(measure_orders(tree));
   } else if (options.output == "levels") {
-    measured.rows += level_rows(tree);
+    add_levels(measured.levels, tree);
   } else if (options.output == "nodes") {
-    measured.rows += node_rows(tree, leaf_order);
+    add_nodes(measured.nodes, tree, leaf_order);
   } else {
     measured.all.push_back(measure_all(tree));
   }
 }
 
-std::string table_of(const Measured& measured, unsigned leaf_order, const std::string& output) {
-  if (output == "orders") return orders_table(measured.orders, leaf_order);
-  if (output == "summary") return summary_table(measured.all, leaf_order);
+std::string text_of(const Measured& measured, unsigned leaf_order, const std::string& output) {
   if (output == "json") return measurement_json(measured.all, leaf_order);
-  return (output == "levels" ? level_header() : node_header()) + measured.rows;
+  if (output == "orders") return write_csv(orders_table(measured.orders, leaf_order));
+  if (output == "summary") return write_csv(summary_table(measured.all, leaf_order));
+  return write_csv(output == "levels" ? measured.levels : measured.nodes);
 }
 
 ExitCode measure(const Options& options, const Cancellation& cancellation) {
@@ -92,7 +93,7 @@ ExitCode measure(const Options& options, const Cancellation& cancellation) {
       measure_one(tree, leaf_order, options, measured);
     }
   }
-  emit(table_of(measured, leaf_order, options.output), options.out);
+  emit(text_of(measured, leaf_order, options.output), options.out);
   return ExitCode::done;
 }
 
@@ -101,18 +102,21 @@ ExitCode measure(const Options& options, const Cancellation& cancellation) {
 void add_measure(Program& program) {
   auto options = std::make_shared<Options>();
   Verb verb = program.verb("measure", "Orders, ratios and every statistic of trees read from files");
-  verb.option("FILE", options->files, "files of trees, or of counts of streams; - is standard input", Need::required);
+  verb.option("FILE", options->files, "files of trees, or of counts of streams; - is standard input",
+              Need::required);
   verb.option("--format", options->format,
-                   "newick, swc, mtg, qsm, edges, flowlines, parens or json; auto: found by content", Need::defaulted);
+              "newick, swc, mtg, qsm, edges, flowlines, parens or json; auto: found by content",
+              Need::defaulted);
   verb.option("--leaf-order", options->leaf_order, "order of the tips in the table: 0 or 1", Need::defaulted);
   verb.option("--root", options->root,
-                   "of a table: the id of the root; all: every root a tree of its own; neurites: what leaves "
-                   "the soma of a neuron");
+              "of a table: the id of the root; all: every root a tree of its own; neurites: what leaves "
+              "the soma of a neuron");
   verb.option("--scale", options->scale, "of an MTG: the scale of the nodes; 0 the finest", Need::defaulted);
   verb.flag("--keep-unary", options->keep_unary,
-                 "count one-child nodes, as in tries, instead of contracting them");
+            "count one-child nodes, as in tries, instead of contracting them");
   verb.option("--output", options->output,
-                   "orders, summary (a row a tree), levels (a row a depth), nodes (a row a node) or json", Need::defaulted);
+              "orders, summary (a row a tree), levels (a row a depth), nodes (a row a node) or json",
+              Need::defaulted);
   verb.option("-o,--out", options->out, "write the table to this file, in one step");
   verb.example("Example: ramify measure data/examples/sapling.newick");
   verb.work([options](const Cancellation& cancellation) { return measure(*options, cancellation); });

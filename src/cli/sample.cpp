@@ -11,12 +11,11 @@
 
 #include "ramify/core/nearest_name.hpp"
 #include "ramify/core/number.hpp"
-#include "ramify/tabulate/tree_batch.hpp"
 #include "ramify/format/write_trees.hpp"
-#include "ramify/io/csv_writer.hpp"
-#include "ramify/text/read_count.hpp"
 #include "ramify/model/preset.hpp"
 #include "ramify/sample/graft_rule.hpp"
+#include "ramify/tabulate/tree_batch.hpp"
+#include "ramify/text/read_count.hpp"
 
 namespace ramify::cli {
 namespace {
@@ -98,21 +97,21 @@ ExitCode sample(const Options& options, const Cancellation& cancellation) {
 void add_sample(Program& program) {
   auto options = std::make_shared<Options>();
   Verb verb = program.verb("sample", "Grow trees of one model and print their statistics, or the trees");
-  verb.option("--model", options->model,
-                   "model, such as bst or \"beta(10,80)\"; see: ramify list models");
+  verb.option("--model", options->model, "model, such as bst or \"beta(10,80)\"; see: ramify list models");
   verb.option("--n", options->n, "size: internal nodes, 0 to 2^62");
   verb.option("--preset", options->preset,
-                   "model and size of a figure; --n takes another size. See: ramify list presets");
+              "model and size of a figure; --n takes another size. See: ramify list presets");
   verb.option("--replicates", options->replicates, "number of trees", Need::defaulted);
   verb.option("--replicate", options->replicate, "replay this one alone (counted from 0)");
   verb.option("--seed", options->seed, "seed", Need::defaulted);
-  verb.option("--statistics", options->statistics, "comma-separated; see: ramify list statistics", Need::defaulted);
-  verb.option("--format", options->format,
-                   "csv: statistics; newick, edges, swc, parens, json: the trees", Need::defaulted);
+  verb.option("--statistics", options->statistics, "comma-separated; see: ramify list statistics",
+              Need::defaulted);
+  verb.option("--format", options->format, "csv: statistics; newick, edges, swc, parens, json: the trees",
+              Need::defaulted);
   verb.option("--threads", options->threads,
-                   "threads; all cores if left out. The result does not depend on it");
+              "threads; all cores if left out. The result does not depend on it");
   verb.flag("--no-graft", options->no_graft,
-                 "grow every node, instead of drawing subtrees from their exact laws where that pays");
+            "grow every node, instead of drawing subtrees from their exact laws where that pays");
   verb.flag("--yes", options->yes, "allow more than 10^13 nodes");
   verb.option("-o,--output", options->output, "write to this file, in one step");
   verb.example(

@@ -4,12 +4,10 @@
 #include "verbs.hpp"
 #include <fmt/format.h>
 
-#include "ramify/core/number.hpp"
 #include "ramify/compare/tree_comparison.hpp"
-#include "ramify/tree/contract_unary.hpp"
 #include "ramify/format/read_trees.hpp"
-#include "ramify/io/csv_writer.hpp"
 #include "ramify/text/read_count.hpp"
+#include "ramify/tree/contract_unary.hpp"
 
 namespace ramify::cli {
 namespace {
@@ -35,17 +33,22 @@ ExitCode test(const Options& options, const Cancellation& cancellation) {
     throw Error(fmt::format("--replicates {}", simulation.trees),
                 "the smallest p-value is 2/(replicates + 1): with fewer than 99 trees above 0.02",
                 "take 99 or more");
-  CsvTable table({"tree", "model", "statistic", "observed", "expected", "p_value", "effect", "adjusted_p",
-                  "standard_error", "method"});
+  Table table({"tree", "model", "statistic", "observed", "expected", "p_value", "effect", "adjusted_p",
+               "standard_error", "method"});
   TreeComparison compare(model, simulation, cancellation);
   for (const auto& file : options.files)
     for (const RecordedTree& tree : trees_for(model, options, file))
       for (const auto& row : compare(tree.tree, tree.name))
-        table.add({tree.name, model.text(), row.name, format_summary(row.observed),
-                   format_summary(row.expected), format_summary(row.p_value), format_summary(row.effect()),
-                   format_summary(row.adjusted_p), format_summary(row.deviation),
-                   row.exact ? "exact law" : fmt::format("{} trees", simulation.trees)});
-  emit(table.text(), options.output);
+        table.add(Row()
+                      .texts({tree.name, model.text(), row.name})
+                      .summary(row.observed)
+                      .summary(row.expected)
+                      .summary(row.p_value)
+                      .summary(row.effect())
+                      .summary(row.adjusted_p)
+                      .summary(row.deviation)
+                      .text(row.exact ? "exact law" : fmt::format("{} trees", simulation.trees)));
+  emit(table, options.output);
   return ExitCode::done;
 }
 
@@ -53,18 +56,20 @@ ExitCode test(const Options& options, const Cancellation& cancellation) {
 
 void add_test(Program& program) {
   auto options = std::make_shared<Options>();
-  Verb verb = program.verb(
-      "test", "Is a tree like trees of a model? Its statistics beside theirs, with p-values");
+  Verb verb =
+      program.verb("test", "Is a tree like trees of a model? Its statistics beside theirs, with p-values");
   verb.option("TREE", options->files, "files of trees; - is standard input", Need::required);
   verb.option("--format", options->format,
-                   "newick, swc, mtg, qsm, edges, flowlines, parens or json; auto: found by content", Need::defaulted);
+              "newick, swc, mtg, qsm, edges, flowlines, parens or json; auto: found by content",
+              Need::defaulted);
   verb.option("--root", options->root, "of a table: the id of the root, all, or neurites");
-  verb.option("--model", options->model,
-                   "model, such as bst or \"beta(10,80)\"; see: ramify list models", Need::required);
-  verb.option("--replicates", options->replicates, "trees to simulate for what has no exact law", Need::defaulted);
+  verb.option("--model", options->model, "model, such as bst or \"beta(10,80)\"; see: ramify list models",
+              Need::required);
+  verb.option("--replicates", options->replicates, "trees to simulate for what has no exact law",
+              Need::defaulted);
   verb.option("--seed", options->seed, "seed", Need::defaulted);
   verb.option("--threads", options->threads,
-                   "threads; all cores if left out. The result does not depend on it");
+              "threads; all cores if left out. The result does not depend on it");
   verb.option("-o,--output", options->output, "write the table to this file, in one step");
   verb.example("Example: ramify test my_tree.txt --model bst");
   verb.work([options](const Cancellation& cancellation) { return test(*options, cancellation); });
