@@ -5,9 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "ramify/core/number.hpp"
-#include "ramify/io/csv_writer.hpp"
-#include "ramify/report/verdict_table.hpp"
+#include "ramify/io/text_writer.hpp"
 #include "ramify/text/csv_reader.hpp"
 
 namespace ramify {
@@ -56,11 +54,11 @@ std::optional<Evidence::WorstCheck> Evidence::worst_check() const {
   return worst;
 }
 
-std::string verdict_csv(const std::vector<Verdict>& verdicts) {
-  CsvTable table({"claim", "source", "statement", "convention", "theory", "estimate", "standard_error",
-                  "lower", "upper", "largest_n", "verdict", "method"});
+Table verdict_table(const std::vector<Verdict>& verdicts) {
+  Table table({"claim", "source", "statement", "convention", "theory", "estimate", "standard_error", "lower",
+               "upper", "largest_n", "verdict", "method"});
   for (const auto& v : verdicts)
-    table.add(CsvRow()
+    table.add(Row()
                   .text(v.claim)
                   .text(v.source)
                   .text(v.statement)
@@ -73,17 +71,20 @@ std::string verdict_csv(const std::vector<Verdict>& verdicts) {
                   .whole(v.largest_n)
                   .text(to_string(v.outcome))
                   .text(v.method));
-  return table.text();
+  return table;
 }
 
 std::string verdict_text(const std::vector<Verdict>& verdicts) {
-  std::vector<std::vector<std::string>> rows;
+  Table table({"claim", "statement", "theory", "estimate [99 % interval]", "largest n", "verdict"});
   for (const auto& v : verdicts)
-    rows.push_back({v.claim, v.statement, fmt::format("{:.4f}", v.theory),
-                    fmt::format("{:.4f} [{:.4f}, {:.4f}]", v.estimate, v.lower, v.upper),
-                    fmt::format("{}", v.largest_n), std::string(to_string(v.outcome))});
-  return text_table({"claim", "statement", "theory", "estimate [99 % interval]", "largest n", "verdict"},
-                    rows);
+    table.add(Row()
+                  .text(v.claim)
+                  .text(v.statement)
+                  .fixed(v.theory, 4)
+                  .text(fmt::format("{:.4f} [{:.4f}, {:.4f}]", v.estimate, v.lower, v.upper))
+                  .whole(v.largest_n)
+                  .text(to_string(v.outcome)));
+  return write_text(table);
 }
 
 std::vector<std::string> changed_verdicts(const std::vector<Verdict>& verdicts,

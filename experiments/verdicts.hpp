@@ -8,6 +8,8 @@
 
 #include "claim.hpp"
 
+#include "ramify/io/table.hpp"
+
 namespace ramify {
 
 /// The finished cells that bear on every claim, claim by claim.
@@ -37,7 +39,7 @@ class Evidence {
 };
 
 /// verdicts.csv (INTERFACE: reproduce).
-std::string verdict_csv(const std::vector<Verdict>& verdicts);
+Table verdict_table(const std::vector<Verdict>& verdicts);
 
 /// The same for a terminal: claim, statement, theory, estimate with its interval, largest n, verdict.
 std::string verdict_text(const std::vector<Verdict>& verdicts);

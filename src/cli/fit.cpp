@@ -5,6 +5,7 @@
 #include "ramify/core/number.hpp"
 #include "ramify/fit/fit_table.hpp"
 #include "ramify/fit/ratio_fitter.hpp"
+#include "ramify/io/csv_writer.hpp"
 #include "ramify/text/read_count.hpp"
 
 namespace ramify::cli {
@@ -47,7 +48,7 @@ ExitCode fit(const Options& options, const Cancellation& cancellation) {
     if (progress) progress(static_cast<double>(i + 1), static_cast<double>(data.size()));
   }
   clear_progress_line();
-  emit(options.format == "csv" ? fit_csv(rows).text() : fit_text(rows), options.output);
+  emit(options.format == "csv" ? write_csv(fit_table(rows)) : fit_text(rows), options.output);
   return any_not_converged(rows) ? ExitCode::no_convergence : ExitCode::done;
 }
 

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "ramify/core/nearest_name.hpp"
-#include "ramify/io/csv_writer.hpp"
 #include "ramify/law/exact_means.hpp"
 #include "ramify/model/preset.hpp"
 #include "ramify/model/registry.hpp"
@@ -17,12 +16,12 @@
 namespace ramify::cli {
 namespace {
 
-std::string model_table() {
-  CsvTable table({"name", "n_counts", "domain", "description", "sampled", "source"});
+Table model_table() {
+  Table table({"name", "n_counts", "domain", "description", "sampled", "source"});
   for (const auto& info : models())
-    table.add({info.signature(), std::string(info.n_counts), info.domain(), std::string(info.description),
-               info.is_split ? "exact laws; grafted" : "every node grown", std::string(info.source)});
-  return table.text();
+    table.add(Row().texts({info.signature(), info.n_counts, info.domain(), info.description,
+                           info.is_split ? "exact laws; grafted" : "every node grown", info.source}));
+  return table;
 }
 
 /// What is known without sampling of a statistic of a split model: they are all alike, so one is asked.
@@ -53,12 +52,12 @@ std::string sampling_of(const StatisticInfo& info) {
   }
 }
 
-std::string statistic_table() {
-  CsvTable table({"name", "columns", "convention", "description", "known", "sampled", "source"});
+Table statistic_table() {
+  Table table({"name", "columns", "convention", "description", "known", "sampled", "source"});
   for (const auto& info : statistics())
-    table.add({std::string(info.name), info.columns(), std::string(info.convention),
-               std::string(info.description), known_of(info), sampling_of(info), std::string(info.source)});
-  return table.text();
+    table.add(Row().texts({info.name, info.columns(), info.convention, info.description, known_of(info),
+                           sampling_of(info), info.source}));
+  return table;
 }
 
 /// What is known of a statistic of a model without sampling, and how it is sampled.
@@ -72,7 +71,7 @@ std::string coverage_of(const StatisticInfo& statistic, const ModelInfo& model) 
 }
 
 /// Statistic by model; models of which all is the same share a column.
-std::string coverage_table() {
+Table coverage_table() {
   std::vector<std::vector<std::string>> columns;
   std::vector<std::string> header{"statistic"};
   for (const auto& model : models()) {
@@ -86,31 +85,31 @@ std::string coverage_table() {
       header[static_cast<std::size_t>(same - columns.begin()) + 1].append(" ").append(model.name);
     }
   }
-  CsvTable table(std::move(header));
+  Table table(std::move(header));
   for (std::size_t i = 0; i < statistics().size(); ++i) {
-    std::vector<std::string> row{std::string(statistics()[i].name)};
-    for (const auto& column : columns) row.push_back(column[i]);
+    Row row;
+    row.text(statistics()[i].name);
+    for (const auto& column : columns) row.text(column[i]);
     table.add(std::move(row));
   }
-  return table.text();
+  return table;
 }
 
-std::string claim_table() {
-  CsvTable table({"claim", "statement", "source"});
-  for (const auto& claim : claims())
-    table.add({std::string(claim.id), std::string(claim.statement), std::string(claim.source)});
-  return table.text();
+Table claim_table() {
+  Table table({"claim", "statement", "source"});
+  for (const auto& claim : claims()) table.add(Row().texts({claim.id, claim.statement, claim.source}));
+  return table;
 }
 
-std::string preset_table() {
-  CsvTable table({"name", "model", "n", "description", "source"});
+Table preset_table() {
+  Table table({"name", "model", "n", "description", "source"});
   for (const auto& preset : presets())
-    table.add({std::string(preset.name), std::string(preset.model), fmt::format("{}", preset.n),
-               std::string(preset.description), std::string(preset.source)});
-  return table.text();
+    table.add(
+        Row().texts({preset.name, preset.model}).whole(preset.n).texts({preset.description, preset.source}));
+  return table;
 }
 
-std::string table_of(const std::string& what) {
+Table table_of(const std::string& what) {
   if (what == "models") return model_table();
   if (what == "statistics") return statistic_table();
   if (what == "claims") return claim_table();

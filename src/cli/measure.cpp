@@ -7,6 +7,7 @@
 
 #include "ramify/core/nearest_name.hpp"
 #include "ramify/format/read_trees.hpp"
+#include "ramify/io/csv_writer.hpp"
 #include "ramify/measure/measure_json.hpp"
 #include "ramify/measure/measure_tables.hpp"
 #include "ramify/text/read_count.hpp"
@@ -27,7 +28,7 @@ struct Options {
 struct Measured {
   std::vector<MeasuredOrders> orders;
   std::vector<TreeMeasurement> all;
-  std::string rows;  ///< of levels or nodes
+  Table levels = level_table(), nodes = node_table();
 };
 
 unsigned small_number(const std::string& option, const std::string& text, std::uint64_t most) {
@@ -57,19 +58,19 @@ void measure_one(const RecordedTree& tree, unsigned leaf_order, const Options& o
   if (options.output == "orders") {
     measured.orders.push_back(measure_orders(tree));
   } else if (options.output == "levels") {
-    measured.rows += level_rows(tree);
+    add_levels(measured.levels, tree);
   } else if (options.output == "nodes") {
-    measured.rows += node_rows(tree, leaf_order);
+    add_nodes(measured.nodes, tree, leaf_order);
   } else {
     measured.all.push_back(measure_all(tree));
   }
 }
 
-std::string table_of(const Measured& measured, unsigned leaf_order, const std::string& output) {
-  if (output == "orders") return orders_table(measured.orders, leaf_order);
-  if (output == "summary") return summary_table(measured.all, leaf_order);
+std::string text_of(const Measured& measured, unsigned leaf_order, const std::string& output) {
   if (output == "json") return measurement_json(measured.all, leaf_order);
-  return (output == "levels" ? level_header() : node_header()) + measured.rows;
+  if (output == "orders") return write_csv(orders_table(measured.orders, leaf_order));
+  if (output == "summary") return write_csv(summary_table(measured.all, leaf_order));
+  return write_csv(output == "levels" ? measured.levels : measured.nodes);
 }
 
 ExitCode measure(const Options& options, const Cancellation& cancellation) {
@@ -92,7 +93,7 @@ ExitCode measure(const Options& options, const Cancellation& cancellation) {
       measure_one(tree, leaf_order, options, measured);
     }
   }
-  emit(table_of(measured, leaf_order, options.output), options.out);
+  emit(text_of(measured, leaf_order, options.output), options.out);
   return ExitCode::done;
 }
 

@@ -7,6 +7,7 @@
 
 #include "ramify/core/number.hpp"
 #include "ramify/io/atomic_file.hpp"
+#include "ramify/io/csv_writer.hpp"
 #include "ramify/text/read_count.hpp"
 
 namespace ramify::cli {
@@ -79,7 +80,7 @@ ExitCode reproduce(const Options& options, const Cancellation& cancellation) {
   Evidence evidence;
   for (const auto& config : configs) run_config_file(config, options.flags, cancellation, evidence);
   const auto verdicts = evidence.verdicts();
-  write_file_atomically(out / "verdicts.csv", verdict_csv(verdicts));
+  write_file_atomically(out / "verdicts.csv", write_csv(verdict_table(verdicts)));
   for (const auto& named : evidence.plots()) write_plot(named.plot, out / "plots", named.stem);
   write_file_atomically(out / "verdicts.txt", verdict_text(verdicts));
   emit(verdict_text(verdicts), "");

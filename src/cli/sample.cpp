@@ -12,7 +12,6 @@
 #include "ramify/core/nearest_name.hpp"
 #include "ramify/core/number.hpp"
 #include "ramify/format/write_trees.hpp"
-#include "ramify/io/csv_writer.hpp"
 #include "ramify/model/preset.hpp"
 #include "ramify/sample/graft_rule.hpp"
 #include "ramify/tabulate/tree_batch.hpp"

@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "ramify/io/atomic_file.hpp"
+#include "ramify/io/csv_writer.hpp"
 #include "ramify/run/plan.hpp"
 #include "ramify/text/read_count.hpp"
 
@@ -41,13 +42,17 @@ unsigned read_threads(const std::string& text) {
   return static_cast<unsigned>(threads);
 }
 
-void emit(const std::string& table, const std::string& output_file) {
-  if (!output_file.empty()) return write_file_atomically(output_file, table);
+void emit(const std::string& text, const std::string& output_file) {
+  if (!output_file.empty()) return write_file_atomically(output_file, text);
   const bool written =
-      std::fwrite(table.data(), 1, table.size(), stdout) == table.size() && std::fflush(stdout) == 0;
+      std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
   if (!written)
     throw Error("cannot write to standard output", std::strerror(errno),
                 "free space, or name a file with -o");
+}
+
+void emit(const Table& table, const std::string& output_file) {
+  emit(write_csv(table), output_file);
 }
 
 void require_consent(double nodes, bool yes) {

@@ -7,6 +7,7 @@
 
 #include "ramify/core/cancellation.hpp"
 #include "ramify/core/error.hpp"
+#include "ramify/io/table.hpp"
 #include "ramify/tree/grammar.hpp"
 
 namespace ramify::cli {
@@ -18,8 +19,10 @@ std::vector<std::string> split_list(const std::string& text);
 /// Threads for --threads: the number given (1 to 1024), else as many as the machine has cores.
 unsigned read_threads(const std::string& text);
 
-/// Writes a table to standard output, or atomically to the file of -o. Throws Error where that fails.
-void emit(const std::string& table, const std::string& output_file);
+/// Writes a text to standard output, or atomically to the file of -o. Throws Error where that fails.
+void emit(const std::string& text, const std::string& output_file);
+/// The same of a table, as CSV.
+void emit(const Table& table, const std::string& output_file);
 
 /// Refuses more than 10^13 nodes unless --yes was given.
 void require_consent(double nodes, bool yes);

@@ -5,9 +5,7 @@
 #include <fmt/format.h>
 
 #include "ramify/compare/tree_comparison.hpp"
-#include "ramify/core/number.hpp"
 #include "ramify/format/read_trees.hpp"
-#include "ramify/io/csv_writer.hpp"
 #include "ramify/text/read_count.hpp"
 #include "ramify/tree/contract_unary.hpp"
 
@@ -35,17 +33,22 @@ ExitCode test(const Options& options, const Cancellation& cancellation) {
     throw Error(fmt::format("--replicates {}", simulation.trees),
                 "the smallest p-value is 2/(replicates + 1): with fewer than 99 trees above 0.02",
                 "take 99 or more");
-  CsvTable table({"tree", "model", "statistic", "observed", "expected", "p_value", "effect", "adjusted_p",
-                  "standard_error", "method"});
+  Table table({"tree", "model", "statistic", "observed", "expected", "p_value", "effect", "adjusted_p",
+               "standard_error", "method"});
   TreeComparison compare(model, simulation, cancellation);
   for (const auto& file : options.files)
     for (const RecordedTree& tree : trees_for(model, options, file))
       for (const auto& row : compare(tree.tree, tree.name))
-        table.add({tree.name, model.text(), row.name, format_summary(row.observed),
-                   format_summary(row.expected), format_summary(row.p_value), format_summary(row.effect()),
-                   format_summary(row.adjusted_p), format_summary(row.deviation),
-                   row.exact ? "exact law" : fmt::format("{} trees", simulation.trees)});
-  emit(table.text(), options.output);
+        table.add(Row()
+                      .texts({tree.name, model.text(), row.name})
+                      .summary(row.observed)
+                      .summary(row.expected)
+                      .summary(row.p_value)
+                      .summary(row.effect())
+                      .summary(row.adjusted_p)
+                      .summary(row.deviation)
+                      .text(row.exact ? "exact law" : fmt::format("{} trees", simulation.trees)));
+  emit(table, options.output);
   return ExitCode::done;
 }
 

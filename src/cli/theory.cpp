@@ -1,22 +1,23 @@
 #include "session.hpp"
 #include "verbs.hpp"
 
-#include "ramify/core/number.hpp"
-#include "ramify/io/csv_writer.hpp"
 #include "ramify/theory/constants.hpp"
 
 namespace ramify::cli {
 namespace {
 
-std::string constant_table(const std::vector<std::string>& model_texts) {
-  CsvTable table({"model", "constant", "value", "error", "formula", "source"});
+Table constant_table(const std::vector<std::string>& model_texts) {
+  Table table({"model", "constant", "value", "error", "formula", "source"});
   for (const auto& text : model_texts) {
     const Model model = Model::parse(text);
     for (const auto& constant : constants(model))
-      table.add({model.text(), constant.name, format_exact(constant.value), format_summary(constant.error),
-                 constant.formula, constant.source});
+      table.add(Row()
+                    .texts({model.text(), constant.name})
+                    .exact(constant.value)
+                    .summary(constant.error)
+                    .texts({constant.formula, constant.source}));
   }
-  return table.text();
+  return table;
 }
 
 }  // namespace

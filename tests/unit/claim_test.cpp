@@ -1,15 +1,17 @@
 // The verdict rules on made-up cells: what they must reproduce, refute and leave open.
+#include "claim.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 
-#include "claim.hpp"
 #include "verdicts.hpp"
 #include <gtest/gtest.h>
 
-#include "ramify/core/error.hpp"
 #include "ramify/config/run_config.hpp"
+#include "ramify/core/error.hpp"
+#include "ramify/io/csv_writer.hpp"
 
 namespace ramify {
 namespace {
@@ -89,7 +91,7 @@ TEST(Claims, EveryOneHasAConfigAtBothScales) {
 TEST(Verdicts, AChangeAgainstTheCommittedTableIsSeen) {
   auto verdicts = bst_order_claim().judge(line_of("bst", "strahler", 1 / std::log(3.0438278618)));
   const auto file = std::filesystem::temp_directory_path() / "ramify_verdicts_test.csv";
-  std::ofstream(file) << verdict_csv(verdicts);
+  std::ofstream(file) << write_csv(verdict_table(verdicts));
   EXPECT_TRUE(changed_verdicts(verdicts, file).empty());
   verdicts.front().outcome = Outcome::inconclusive;
   EXPECT_EQ(changed_verdicts(verdicts, file),

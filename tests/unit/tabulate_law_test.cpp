@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "ramify/core/error.hpp"
+#include "ramify/io/csv_writer.hpp"
 #include "ramify/tabulate/law_request.hpp"
 #include "ramify/tabulate/law_table.hpp"
 
@@ -118,7 +119,7 @@ std::vector<std::string> lines(const std::string& text) {
 TEST(LawTable, OfEveryStatisticSumsToOneAtEverySize) {
   for (const char* model : {"bst", "split(0.25)", "patricia(0.23)"}) {
     for (const char* statistic : {"strahler", "height", "depth", "fill_level", "balance"}) {
-      const auto rows = lines(law_table(request(model, statistic, {60, 0, 1, 7}), {}));
+      const auto rows = lines(write_csv(law_table(request(model, statistic, {60, 0, 1, 7}), {})));
       double sum = 0;
       std::vector<std::string> sizes;
       for (std::size_t i = 1; i < rows.size(); ++i) {
@@ -136,7 +137,7 @@ TEST(LawTable, OfEveryStatisticSumsToOneAtEverySize) {
 
 TEST(LawTable, HeightKeepsItsUpperTail) {
   // A chain of n nodes, left and right freely: 2^(n-1)/n! of a BST.
-  const auto rows = lines(law_table(request("bst", "height", {14}), {}));
+  const auto rows = lines(write_csv(law_table(request("bst", "height", {14}), {})));
   double chain = 1;
   for (int n = 2; n <= 14; ++n) chain *= 2.0 / n;
   ASSERT_TRUE(rows.back().starts_with("bst,14,height,15,")) << rows.back();
@@ -144,7 +145,7 @@ TEST(LawTable, HeightKeepsItsUpperTail) {
 }
 
 TEST(LawTable, MomentsOfOrdersAreThoseOfTheirCounts) {
-  const auto rows = lines(law_table(request("bst", "orders", {0, 3}, LawQuantity::moments), {}));
+  const auto rows = lines(write_csv(law_table(request("bst", "orders", {0, 3}, LawQuantity::moments), {})));
   ASSERT_EQ(rows.size(), 9u);
   EXPECT_EQ(rows[1], "bst,0,nodes_0,1,0");
   EXPECT_EQ(rows[2], "bst,0,streams_0,1,0");
@@ -154,7 +155,7 @@ TEST(LawTable, MomentsOfOrdersAreThoseOfTheirCounts) {
 }
 
 TEST(LawTable, CovariancesAreOfEveryTwoCounts) {
-  const auto rows = lines(law_table(request("bst", "orders", {3}, LawQuantity::covariances), {}));
+  const auto rows = lines(write_csv(law_table(request("bst", "orders", {3}, LawQuantity::covariances), {})));
   EXPECT_EQ(rows.size(), 1u + 6 * 7 / 2);
   EXPECT_EQ(rows[0], "model,n,leaf_order,first,second,covariance");
   EXPECT_EQ(rows[1], "bst,3,0,nodes_0,nodes_0,0");
@@ -165,12 +166,12 @@ TEST(LawTable, CovariancesAreOfEveryTwoCounts) {
 // root.
 TEST(LawTable, OfExternalDepthsAndSums) {
   const Cancellation never;
-  EXPECT_EQ(law_table(request("split(0.25)", "external_depth", {2}), never),
+  EXPECT_EQ(write_csv(law_table(request("split(0.25)", "external_depth", {2}), never)),
             "model,n,statistic,value,probability\nsplit(0.25),2,external_depth,2,0.3333333333333333\n"
             "split(0.25),2,external_depth,3,0.6666666666666666\n");
   for (const auto& [statistic, mean] :
        {std::pair{"path_length", 1}, std::pair{"sackin", 5}, std::pair{"colless", 1}})
-    EXPECT_EQ(law_table(request("bst", statistic, {2}, LawQuantity::moments), never),
+    EXPECT_EQ(write_csv(law_table(request("bst", statistic, {2}, LawQuantity::moments), never)),
               fmt::format("model,n,statistic,mean,variance\nbst,2,{},{},0\n", statistic, mean));
 }
 

@@ -58,9 +58,13 @@ std::string format_exact(double value) {
   return fmt::format("{}", value);
 }
 
-std::string format_summary(double value) {
+std::string format_significant(double value, int digits) {
   if (std::isnan(value)) return "";
-  return fmt::format("{:.10g}", value == 0 ? 0.0 : value);
+  return fmt::format("{:.{}g}", value == 0 ? 0.0 : value, digits);
+}
+
+std::string format_summary(double value) {
+  return format_significant(value, 10);
 }
 
 }  // namespace ramify

@@ -17,7 +17,10 @@ std::optional<std::uint64_t> parse_count(std::string_view text);
 /// The shortest text that reads back as the same double.
 std::string format_exact(double value);
 
-/// At most 10 significant digits, for tables that must be the same bytes on every machine.
+/// At most so many significant digits, the same bytes on every machine; empty for NaN.
+std::string format_significant(double value, int digits);
+
+/// At most 10 of them, as in tables.
 std::string format_summary(double value);
 
 }  // namespace ramify

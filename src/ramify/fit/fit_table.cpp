@@ -2,18 +2,27 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 #include <fmt/format.h>
+
+#include "ramify/core/number.hpp"
 
 namespace ramify {
 namespace {
 
-std::string number(double value) {
-  return std::isnan(value) ? std::string() : fmt::format("{:.6g}", value);
+constexpr int digits = 6;
+
+void add_reals(Row& row, std::initializer_list<double> values) {
+  for (const double value : values) row.significant(value, digits);
 }
 
-std::string whole(std::size_t value) {
-  return value == 0 ? std::string() : fmt::format("{}", value);
+/// 0 stands for none.
+void add_count(Row& row, std::size_t count) {
+  if (count == 0)
+    row.nothing();
+  else
+    row.whole(count);
 }
 
 std::string interval(double low, double high) {
@@ -38,7 +47,7 @@ std::vector<std::string> cells(const FitRow& row) {
   return {"  " + row.parameter,
           with_error(row.estimate, row.standard_error),
           interval(row.lower, row.upper),
-          number(std::round(row.observed * 1e4) / 1e4),
+          format_significant(std::round(row.observed * 1e4) / 1e4, digits),
           with_error(row.expected_at_rule, row.expected_at_rule_error),
           interval(row.rule_low, row.rule_high),
           std::move(status)};
@@ -75,16 +84,21 @@ bool any_not_converged(std::span<const FitRow> rows) {
                      [](const FitRow& row) { return row.status == FitStatus::not_converged; });
 }
 
-CsvTable fit_csv(std::span<const FitRow> rows) {
-  CsvTable table({"data", "model", "parameter", "estimate", "standard_error", "lower", "upper", "n",
-                  "n_source", "estimator", "observed", "expected_at_rule", "expected_at_rule_error",
-                  "rule_low", "rule_high", "solution", "solutions", "status", "note"});
-  for (const FitRow& row : rows) {
-    table.add({row.data, row.model, row.parameter, number(row.estimate), number(row.standard_error),
-               number(row.lower), number(row.upper), whole(row.n), row.n_source, row.estimator,
-               number(row.observed), number(row.expected_at_rule), number(row.expected_at_rule_error),
-               number(row.rule_low), number(row.rule_high), whole(row.solution), whole(row.solutions),
-               std::string(status_name(row.status)), row.note});
+Table fit_table(std::span<const FitRow> rows) {
+  Table table({"data", "model", "parameter", "estimate", "standard_error", "lower", "upper", "n", "n_source",
+               "estimator", "observed", "expected_at_rule", "expected_at_rule_error", "rule_low", "rule_high",
+               "solution", "solutions", "status", "note"});
+  for (const FitRow& fit : rows) {
+    Row row;
+    row.text(fit.data).text(fit.model).text(fit.parameter);
+    add_reals(row, {fit.estimate, fit.standard_error, fit.lower, fit.upper});
+    add_count(row, fit.n);
+    row.text(fit.n_source).text(fit.estimator);
+    add_reals(row,
+              {fit.observed, fit.expected_at_rule, fit.expected_at_rule_error, fit.rule_low, fit.rule_high});
+    add_count(row, fit.solution);
+    add_count(row, fit.solutions);
+    table.add(row.text(status_name(fit.status)).text(fit.note));
   }
   return table;
 }

@@ -4,14 +4,14 @@
 #include <string>
 
 #include "ramify/fit/fit_row.hpp"
-#include "ramify/io/csv_writer.hpp"
+#include "ramify/io/table.hpp"
 
 namespace ramify {
 
-/// The rows as CSV: data,model,parameter,estimate,standard_error,lower,upper, then what they rest on:
+/// The rows as a table: data,model,parameter,estimate,standard_error,lower,upper, then what they rest on:
 /// n,n_source,estimator,observed,expected_at_rule,expected_at_rule_error,rule_low,rule_high,solution,solutions,
 /// status,note. Six significant digits: more than the Monte Carlo errors leave.
-CsvTable fit_csv(std::span<const FitRow> rows);
+Table fit_table(std::span<const FitRow> rows);
 
 /// The same for reading: aligned columns, one heading for each datum and size, notes below.
 std::string fit_text(std::span<const FitRow> rows);

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "ramify/core/json_text.hpp"
 #include "ramify/core/number.hpp"
 #include "ramify/text/line_cursor.hpp"
 #include "ramify/text/trimmed.hpp"
@@ -115,10 +116,6 @@ void append_numbers(std::string& text, std::string_view key, const std::vector<d
 }
 
 }  // namespace
-
-std::string json_text(std::string_view text) {
-  return Json(std::string(text)).dump(-1, ' ', false, Json::error_handler_t::replace);
-}
 
 std::vector<RecordedTree> read_json_trees(SourceText source) {
   std::vector<RecordedTree> trees;

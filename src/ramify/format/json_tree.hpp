@@ -4,13 +4,10 @@
 #include <string_view>
 #include <vector>
 
-#include "ramify/tree/recorded_tree.hpp"
 #include "ramify/text/source_text.hpp"
+#include "ramify/tree/recorded_tree.hpp"
 
 namespace ramify {
-
-/// A text as JSON writes it, in quotes. JSON is UTF-8: bytes that are not are replaced by U+FFFD.
-std::string json_text(std::string_view text);
 
 /// Reads trees as JSON, one object a line:
 ///   {"name": "...", "parent": [-1,0,1,1,0], "length": [...], "radius": [...], "label": [...]}

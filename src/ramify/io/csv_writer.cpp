@@ -1,8 +1,8 @@
 #include "ramify/io/csv_writer.hpp"
 
-#include <ostream>
-
-#include "ramify/core/contract.hpp"
+#include <algorithm>
+#include <string_view>
+#include <vector>
 
 namespace ramify {
 namespace {
@@ -25,10 +25,7 @@ void append_field(std::string& text, std::string_view field, bool quoted) {
   text += '"';
 }
 
-}  // namespace
-
-void append_csv_row(std::string& text, std::span<const std::string> fields) {
-  RAMIFY_EXPECTS(!fields.empty());
+void append_row(std::string& text, const std::vector<std::string>& fields) {
   // One empty field would be an empty line, which readers skip.
   const bool only_empty = fields.size() == 1 && fields.front().empty();
   for (std::size_t i = 0; i < fields.size(); ++i) {
@@ -38,21 +35,16 @@ void append_csv_row(std::string& text, std::span<const std::string> fields) {
   text += '\n';
 }
 
-void write_csv_row(std::ostream& stream, std::span<const std::string> fields) {
-  std::string text;
-  append_csv_row(text, fields);
-  stream << text;
-}
+}  // namespace
 
-void CsvTable::add(std::vector<std::string> row) {
-  RAMIFY_EXPECTS(row.size() == header_.size());
-  rows_.push_back(std::move(row));
-}
-
-std::string CsvTable::text() const {
+std::string write_csv(const Table& table) {
+  std::vector<std::string> fields = table.columns();
   std::string text;
-  append_csv_row(text, header_);
-  for (const auto& row : rows_) append_csv_row(text, row);
+  append_row(text, fields);
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    std::ranges::transform(table.row(i), fields.begin(), to_text);
+    append_row(text, fields);
+  }
   return text;
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "ramify/measure/registry_columns.hpp"
-#include "ramify/io/csv_writer.hpp"
 #include "ramify/statistic/node_labels.hpp"
 #include "ramify/statistic/stream_geometry.hpp"
 #include "ramify/tree/each_edge.hpp"
@@ -17,16 +16,16 @@ bool any(const Trees& trees, Has has) {
 }
 
 /// Length and radius of an order, or of a node: a field each where the table has the column.
-void add_geometry(CsvRow& row, bool has_column, const std::vector<double>& values, std::size_t place) {
+void add_geometry(Row& row, bool has_column, const std::vector<double>& values, std::size_t place) {
   if (!has_column) return;
   if (values.empty()) {
-    row.text("");
+    row.nothing();
   } else {
     row.summary(values[place]);
   }
 }
 
-void add_ratios(CsvRow& row, const std::vector<double>& means) {
+void add_ratios(Row& row, const std::vector<double>& means) {
   const MeanRatios ratios = mean_ratios(means);
   row.summary(ratios.mean_ratio).summary(ratios.regression).summary(ratios.geometric);
 }
@@ -37,32 +36,32 @@ std::vector<std::string> ratio_columns(const std::string& what) {
 
 }  // namespace
 
-std::string orders_table(const std::vector<MeasuredOrders>& trees, unsigned leaf_order) {
+Table orders_table(const std::vector<MeasuredOrders>& trees, unsigned leaf_order) {
   const bool lengths = any(trees, [](const auto& tree) { return !tree.mean_lengths.empty(); });
   const bool radii = any(trees, [](const auto& tree) { return !tree.mean_radii.empty(); });
   std::vector<std::string> header{"tree", "leaf_order", "order", "nodes", "streams"};
   if (lengths) header.emplace_back("mean_length");
   if (radii) header.emplace_back("mean_radius");
-  CsvTable table(std::move(header));
+  Table table(std::move(header));
   for (const MeasuredOrders& tree : trees) {
     for (std::size_t k = 0; k < tree.streams.size(); ++k) {
-      CsvRow row;
+      Row row;
       row.text(tree.name).whole(leaf_order).whole(k + leaf_order);
       if (tree.nodes.empty()) {
-        row.text("");
+        row.nothing();
       } else {
         row.whole(tree.nodes[k]);
       }
       row.whole(tree.streams[k]);
       add_geometry(row, lengths, tree.mean_lengths, k);
       add_geometry(row, radii, tree.mean_radii, k);
-      table.add(row);
+      table.add(std::move(row));
     }
   }
-  return table.text();
+  return table;
 }
 
-std::string summary_table(const std::vector<TreeMeasurement>& trees, unsigned leaf_order) {
+Table summary_table(const std::vector<TreeMeasurement>& trees, unsigned leaf_order) {
   const bool lengths = any(trees, [](const auto& tree) { return !tree.orders.mean_lengths.empty(); });
   const bool radii = any(trees, [](const auto& tree) { return !tree.orders.mean_radii.empty(); });
   std::size_t largest = 0;
@@ -76,9 +75,9 @@ std::string summary_table(const std::vector<TreeMeasurement>& trees, unsigned le
     std::ranges::copy(ratio_columns("radius"), std::back_inserter(header));
     header.insert(header.end(), {"murray_exponent", "murray_forks", "murray_infinite"});
   }
-  CsvTable table(std::move(header));
+  Table table(std::move(header));
   for (const TreeMeasurement& tree : trees) {
-    CsvRow row;
+    Row row;
     row.text(tree.orders.name).whole(leaf_order);
     for (const auto& column : columns) row.summary(detail::value_of(column, tree, leaf_order));
     row.summary(pooled_over_orders(tree.orders.nodes)).summary(pooled_over_orders(tree.orders.streams));
@@ -87,16 +86,16 @@ std::string summary_table(const std::vector<TreeMeasurement>& trees, unsigned le
       add_ratios(row, tree.orders.mean_radii);
       row.summary(tree.murray.median).whole(tree.murray.forks).whole(tree.murray.infinite);
     }
-    table.add(row);
+    table.add(std::move(row));
   }
-  return table.text();
+  return table;
 }
 
-std::string level_header() {
-  return "tree,depth,nodes,external_nodes\n";
+Table level_table() {
+  return Table({"tree", "depth", "nodes", "external_nodes"});
 }
 
-std::string level_rows(const RecordedTree& tree) {
+void add_levels(Table& table, const RecordedTree& tree) {
   struct Level {
     std::uint64_t nodes = 0, external_nodes = 0;
   };
@@ -107,41 +106,31 @@ std::string level_rows(const RecordedTree& tree) {
     ++level.nodes;
     if (tree.tree.arity(node) == 0) ++level.external_nodes;
   }
-  std::string text;
   for (std::size_t i = 0; i < levels.size(); ++i)
-    append_csv_row(text, CsvRow()
-                             .text(tree.name)
-                             .whole(i + 1)
-                             .whole(levels[i].nodes)
-                             .whole(levels[i].external_nodes)
-                             .fields());
-  return text;
+    table.add(Row().text(tree.name).whole(i + 1).whole(levels[i].nodes).whole(levels[i].external_nodes));
 }
 
-std::string node_header() {
-  return "tree,node,parent,name,leaf_order,order,horsfield,horsfield_from_root,depth,magnitude,main,"
-         "secondary,"
-         "length,radius\n";
+Table node_table() {
+  return Table({"tree", "node", "parent", "name", "leaf_order", "order", "horsfield", "horsfield_from_root",
+                "depth", "magnitude", "main", "secondary", "length", "radius"});
 }
 
-std::string node_rows(const RecordedTree& tree, unsigned leaf_order) {
+void add_nodes(Table& table, const RecordedTree& tree, unsigned leaf_order) {
   const auto orders = strahler_orders(tree.tree);
   const auto horsfield = horsfield_orders(tree.tree), from_root = horsfield_orders_from_root(tree.tree);
   const auto depth = depths(tree.tree);
   const auto magnitude = magnitudes(tree.tree);
   const auto paths = path_nodes(tree.tree, MainChild::highest_order);
   const auto parents = parent_numbers(tree.tree);
-  std::string text;
   for (std::size_t node = 0; node < parents.size(); ++node) {
-    CsvRow row;
+    Row row;
     row.text(tree.name).whole(node + 1).whole(parents[node]).text(tree.names[node]).whole(leaf_order);
     row.whole(orders[node] + leaf_order).whole(horsfield[node]).whole(from_root[node]).whole(depth[node]);
     row.whole(magnitude[node]).whole(paths[node].main).whole(paths[node].secondary);
     add_geometry(row, true, tree.lengths, node);
     add_geometry(row, true, tree.radii, node);
-    append_csv_row(text, row.fields());
+    table.add(std::move(row));
   }
-  return text;
 }
 
 }  // namespace ramify

@@ -7,12 +7,13 @@
 #include <nlohmann/json.hpp>
 
 #include "ramify/core/provenance.hpp"
+#include "ramify/io/atomic_file.hpp"
+#include "ramify/io/csv_writer.hpp"
 #include "ramify/run/cell_store.hpp"
 #include "ramify/run/exact_check.hpp"
 #include "ramify/run/plan.hpp"
 #include "ramify/run/run_plots.hpp"
 #include "ramify/run/runner.hpp"
-#include "ramify/io/atomic_file.hpp"
 #include "ramify/sample/graft_rule.hpp"
 
 namespace ramify {
@@ -72,9 +73,9 @@ nlohmann::ordered_json sampled(const Plan& plan) {
 }
 
 void write_tables(const fs::path& folder, const std::vector<CheckedCell>& cells) {
-  write_file_atomically(folder / "summary.csv", summary_table(cells));
-  write_file_atomically(folder / "histograms.csv", histograms_table(cells));
-  write_file_atomically(folder / "orders.csv", orders_table(cells));
+  write_file_atomically(folder / "summary.csv", write_csv(summary_table(cells)));
+  write_file_atomically(folder / "histograms.csv", write_csv(histograms_table(cells)));
+  write_file_atomically(folder / "orders.csv", write_csv(orders_table(cells)));
 }
 
 void write_plots(const fs::path& folder, const std::vector<std::pair<std::string, Plot>>& plots) {

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
+#include "ramify/io/table.hpp"
 #include "ramify/run/cell_result.hpp"
 
 namespace ramify {
@@ -26,12 +26,12 @@ struct CheckedCell {
 };
 
 /// summary.csv (INTERFACE: run).
-std::string summary_table(const std::vector<CheckedCell>& cells);
+Table summary_table(const std::vector<CheckedCell>& cells);
 
 /// orders.csv: mean counts and pooled ratios of every order, nodes and streams, leaf order 0.
-std::string orders_table(const std::vector<CheckedCell>& cells);
+Table orders_table(const std::vector<CheckedCell>& cells);
 
 /// histograms.csv: how many trees had which value, where the support is small.
-std::string histograms_table(const std::vector<CheckedCell>& cells);
+Table histograms_table(const std::vector<CheckedCell>& cells);
 
 }  // namespace ramify

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "ramify/io/csv_writer.hpp"
 #include "ramify/law/balance_law.hpp"
 #include "ramify/law/build_law.hpp"
 #include "ramify/law/depth_law.hpp"
@@ -15,19 +14,19 @@
 namespace ramify {
 namespace {
 
-CsvRow row_of(const LawRequest& request, Size n) {
-  CsvRow row;
+Row row_of(const LawRequest& request, Size n) {
+  Row row;
   row.text(request.model.text()).whole(n);
   return row;
 }
 
-CsvTable moments_table() {
-  return CsvTable({"model", "n", "statistic", "mean", "variance"});
+Table moments_table() {
+  return Table({"model", "n", "statistic", "mean", "variance"});
 }
 
 template <class Law>
-CsvTable moments_table(const LawRequest& request, const Law& law) {
-  CsvTable table = moments_table();
+Table moments_table(const LawRequest& request, const Law& law) {
+  Table table = moments_table();
   for (const Size n : request.sizes) {
     const auto [mean, variance] = law.moments(n);
     table.add(row_of(request, n).text(request.statistic).exact(mean).exact(variance));
@@ -36,9 +35,9 @@ CsvTable moments_table(const LawRequest& request, const Law& law) {
 }
 
 template <class Law>
-CsvTable value_table(const LawRequest& request, const Law& law) {
+Table value_table(const LawRequest& request, const Law& law) {
   if (request.quantity == LawQuantity::moments) return moments_table(request, law);
-  CsvTable table({"model", "n", "statistic", "value", "probability"});
+  Table table({"model", "n", "statistic", "value", "probability"});
   for (const Size n : request.sizes) {
     Size value = law.lowest(n);
     for (const double probability : law.pmf(n)) {
@@ -50,8 +49,8 @@ CsvTable value_table(const LawRequest& request, const Law& law) {
   return table;
 }
 
-CsvTable mean_counts_table(const LawRequest& request, const OrderMeans& law) {
-  CsvTable table({"model", "n", "leaf_order", "order", "mean_nodes", "mean_streams"});
+Table mean_counts_table(const LawRequest& request, const OrderMeans& law) {
+  Table table({"model", "n", "leaf_order", "order", "mean_nodes", "mean_streams"});
   for (const Size n : request.sizes) {
     const auto nodes = law.nodes(n), streams = law.streams(n);
     for (std::size_t k = 0; k <= HortonStrahler::largest_order(n); ++k)
@@ -72,16 +71,16 @@ std::vector<OrderCount> counts_of(Size n) {
   return counts;
 }
 
-CsvTable count_moments_table(const LawRequest& request, const OrderMoments& law) {
-  CsvTable table = moments_table();
+Table count_moments_table(const LawRequest& request, const OrderMoments& law) {
+  Table table = moments_table();
   for (const Size n : request.sizes)
     for (const OrderCount& count : counts_of(n))
       table.add(row_of(request, n).text(name(count)).exact(law.mean(n, count)).exact(law.variance(n, count)));
   return table;
 }
 
-CsvTable covariance_table(const LawRequest& request, const OrderMoments& law) {
-  CsvTable table({"model", "n", "leaf_order", "first", "second", "covariance"});
+Table covariance_table(const LawRequest& request, const OrderMoments& law) {
+  Table table({"model", "n", "leaf_order", "first", "second", "covariance"});
   for (const Size n : request.sizes) {
     const auto counts = counts_of(n);
     for (auto first = counts.begin(); first != counts.end(); ++first)
@@ -102,27 +101,25 @@ NodeSumLaw::Of sum_of(std::string_view statistic) {
 
 }  // namespace
 
-std::string law_table(const LawRequest& request, const Cancellation& cancellation) {
+Table law_table(const LawRequest& request, const Cancellation& cancellation) {
   const LawKind kind = request.kind();
   const Size largest = request.largest_size();
   const auto build = [&](auto law) {
     return build_law(request.model, largest, std::move(law), cancellation);
   };
-  if (request.statistic == "strahler") return value_table(request, build(StrahlerLaw(largest))).text();
-  if (request.statistic == "balance") return value_table(request, build(BalanceLaw(largest))).text();
-  if (request.statistic == "fill_level") return value_table(request, build(FillLevelLaw(largest))).text();
-  if (request.statistic == "height") return value_table(request, build(HeightLaw())).text();
-  if (request.statistic == "depth") return value_table(request, build(DepthLaw())).text();
+  if (request.statistic == "strahler") return value_table(request, build(StrahlerLaw(largest)));
+  if (request.statistic == "balance") return value_table(request, build(BalanceLaw(largest)));
+  if (request.statistic == "fill_level") return value_table(request, build(FillLevelLaw(largest)));
+  if (request.statistic == "height") return value_table(request, build(HeightLaw()));
+  if (request.statistic == "depth") return value_table(request, build(DepthLaw()));
   if (request.statistic == "external_depth")
-    return value_table(request, build(DepthLaw(DepthLaw::Of::external_node))).text();
-  if (kind == LawKind::node_sum)
-    return moments_table(request, build(NodeSumLaw(sum_of(request.statistic)))).text();
+    return value_table(request, build(DepthLaw(DepthLaw::Of::external_node)));
+  if (kind == LawKind::node_sum) return moments_table(request, build(NodeSumLaw(sum_of(request.statistic))));
   const OrderMeans means = build(OrderMeans(largest));
-  if (kind == LawKind::order_means) return mean_counts_table(request, means).text();
+  if (kind == LawKind::order_means) return mean_counts_table(request, means);
   const OrderMoments moments = build(OrderMoments(means, largest));
-  return (request.quantity == LawQuantity::moments ? count_moments_table(request, moments)
-                                                   : covariance_table(request, moments))
-      .text();
+  return request.quantity == LawQuantity::moments ? count_moments_table(request, moments)
+                                                  : covariance_table(request, moments);
 }
 
 }  // namespace ramify

@@ -1,13 +1,12 @@
 #pragma once
 
-#include <string>
-
 #include "ramify/core/cancellation.hpp"
+#include "ramify/io/table.hpp"
 #include "ramify/tabulate/law_request.hpp"
 
 namespace ramify {
 
-/// The exact law of a statistic at the sizes asked for, as CSV: what `ramify law` prints.
+/// The exact law of a statistic at the sizes asked for: what `ramify law` prints.
 ///
 ///   law              model,n,statistic,value,probability; values with probability > 0 only
 ///   moments          model,n,statistic,mean,variance
@@ -15,9 +14,9 @@ namespace ramify {
 ///           moments  as above, statistics nodes_0..nodes_K, streams_0..streams_K
 ///           covariances  model,n,leaf_order,first,second,covariance; every two of them, also of one with
 ///                    itself
-/// Numbers read back as the same doubles. Probabilities are right to 1e-15, means of counts to a relative
-/// 1e-13, covariances to 1e-13 n. Sizes come in the order of the request; the law is built once, up to the
-/// largest. Cost: law_cost. Throws Interrupted when cancelled.
-std::string law_table(const LawRequest& request, const Cancellation& cancellation);
+/// Numbers are printed so that they read back as the same doubles. Probabilities are right to 1e-15, means of
+/// counts to a relative 1e-13, covariances to 1e-13 n. Sizes come in the order of the request; the law is
+/// built once, up to the largest. Cost: law_cost. Throws Interrupted when cancelled.
+Table law_table(const LawRequest& request, const Cancellation& cancellation);
 
 }  // namespace ramify

@@ -4,6 +4,7 @@
 
 #include "ramify/core/cancellation.hpp"
 #include "ramify/format/tree_format.hpp"
+#include "ramify/io/table.hpp"
 #include "ramify/model/registry.hpp"
 #include "ramify/statistic/registry.hpp"
 
@@ -20,9 +21,9 @@ struct TreeBatch {
   unsigned threads;
   bool graft;  ///< of tables; trees that are written are always grown whole
 
-  /// CSV: model,n,seed,replicate, then the chosen statistics of replicates first..last-1.
-  std::string table(const StatisticSet& statistics, std::uint64_t first, std::uint64_t last,
-                    const Cancellation& cancellation) const;
+  /// model,n,seed,replicate, then the chosen statistics of replicates first..last-1.
+  Table table(const StatisticSet& statistics, std::uint64_t first, std::uint64_t last,
+              const Cancellation& cancellation) const;
 
   /// The trees themselves: those of the table without grafts.
   /// @param format  one of written_formats()

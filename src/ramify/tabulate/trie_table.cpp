@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 
-#include "ramify/io/csv_writer.hpp"
 #include "ramify/model/model.hpp"
 #include "ramify/model/trie.hpp"
 
@@ -29,14 +28,13 @@ void each_trie(const TrieRequest& request, Look look) {
 
 }  // namespace
 
-std::string trie_zone_table(const TrieRequest& request) {
-  CsvTable table({"p", "n", "epsilon", "replicate", "nodes_a", "nodes_b", "nodes_c", "exceptions",
-                  "largest_b_star", "b_star_bound", "longest_b", "longest_b_bound", "balance",
-                  "balance_bound"});
+Table trie_zone_table(const TrieRequest& request) {
+  Table table({"p", "n", "epsilon", "replicate", "nodes_a", "nodes_b", "nodes_c", "exceptions",
+               "largest_b_star", "b_star_bound", "longest_b", "longest_b_bound", "balance", "balance_bound"});
   const TrieZoneRule& rule = request.rule;
   each_trie(request, [&](std::uint64_t replicate, TrieStrings& strings) {
     const TrieZones zones = measure_trie_zones(rule, strings, {});
-    table.add(CsvRow()
+    table.add(Row()
                   .summary(rule.p)
                   .whole(rule.n)
                   .summary(rule.epsilon)
@@ -52,16 +50,16 @@ std::string trie_zone_table(const TrieRequest& request) {
                   .whole(zones.balance)
                   .summary(trie_balance_bound(rule)));
   });
-  return table.text();
+  return table;
 }
 
-std::string trie_node_table(const TrieRequest& request) {
+Table trie_node_table(const TrieRequest& request) {
   constexpr std::array<const char*, 3> names{"A", "B", "C"};
-  CsvTable table({"replicate", "path", "level", "strings", "expected_strings", "probability", "zone"});
+  Table table({"replicate", "path", "level", "strings", "expected_strings", "probability", "zone"});
   each_trie(request, [&](std::uint64_t replicate, TrieStrings& strings) {
     measure_trie_zones(request.rule, strings, [&](const TrieNode& node) {
       const double q = std::exp(node.log_q);
-      table.add(CsvRow()
+      table.add(Row()
                     .whole(replicate)
                     .text(node.path)
                     .whole(node.path.size())
@@ -71,7 +69,7 @@ std::string trie_node_table(const TrieRequest& request) {
                     .text(names[static_cast<std::size_t>(node.zone)]));
     });
   });
-  return table.text();
+  return table;
 }
 
 }  // namespace ramify

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "ramify/io/table.hpp"
 #include "ramify/statistic/trie_zones.hpp"
 
 namespace ramify {
@@ -18,9 +19,9 @@ struct TrieRequest {
 
 /// A row a trie: the zones of Theorem B.1 and what the proof bounds, with the bounds. Throws Error where p or
 /// epsilon is out of its domain.
-std::string trie_zone_table(const TrieRequest& request);
+Table trie_zone_table(const TrieRequest& request);
 
 /// A row a node of every trie, in preorder: path, level, strings (the cardinality C), n q, q and zone.
-std::string trie_node_table(const TrieRequest& request);
+Table trie_node_table(const TrieRequest& request);
 
 }  // namespace ramify

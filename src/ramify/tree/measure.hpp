@@ -57,8 +57,8 @@ typename F::Value measure(const Tree& tree, F& fold, Visit visit) {
     const std::span<const Value> child_values(values.data() + first, children);
     const Size size = 1 + std::accumulate(child_sizes.begin(), child_sizes.end(), Size{0});
     const Value value = detail::join(fold, size, child_sizes, child_values);
-    sizes.resize(static_cast<std::size_t>(first));
-    values.resize(static_cast<std::size_t>(first));
+    sizes.erase(sizes.begin() + first, sizes.end());
+    values.erase(values.begin() + first, values.end());
     sizes.push_back(size);
     values.push_back(value);
     visit(node, value);

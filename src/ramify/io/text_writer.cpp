@@ -1,13 +1,9 @@
-#include "ramify/report/verdict_table.hpp"
+#include "ramify/io/text_writer.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <string_view>
-
-#include <sys/ioctl.h>
-#include <unistd.h>
-
-#include "ramify/core/contract.hpp"
-#include "ramify/core/number.hpp"
+#include <vector>
 
 namespace ramify {
 namespace {
@@ -47,19 +43,30 @@ struct Column {
   bool right;
 };
 
-std::vector<Column> measure(const std::vector<std::string>& header,
-                            const std::vector<std::vector<std::string>>& rows) {
+/// Rows of fields as text.
+std::vector<std::vector<std::string>> texts_of(const Table& table) {
+  std::vector<std::vector<std::string>> rows(table.rows());
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    std::ranges::transform(table.row(i), std::back_inserter(rows[i]), to_text);
+  return rows;
+}
+
+/// Numbers and nothing but them, where there is a field at all.
+bool holds_numbers(const Table& table, std::size_t column) {
+  bool some = false;
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    const Field& field = table.row(i)[column];
+    if (std::holds_alternative<std::string>(field)) return false;
+    some = some || is_number(field);
+  }
+  return some;
+}
+
+std::vector<Column> measure(const Table& table, const std::vector<std::vector<std::string>>& rows) {
   std::vector<Column> columns;
-  for (std::size_t c = 0; c < header.size(); ++c) {
-    Column column{length(header[c]), false};
-    bool numbers = true, some = false;
-    for (const auto& row : rows) {
-      RAMIFY_EXPECTS(row.size() == header.size());
-      column.width = std::max(column.width, length(row[c]));
-      some = some || !row[c].empty();
-      numbers = numbers && (row[c].empty() || parse_real(row[c]).has_value());
-    }
-    column.right = numbers && some;
+  for (std::size_t c = 0; c < table.columns().size(); ++c) {
+    Column column{length(table.columns()[c]), holds_numbers(table, c)};
+    for (const auto& row : rows) column.width = std::max(column.width, length(row[c]));
     columns.push_back(column);
   }
   return columns;
@@ -96,24 +103,17 @@ void append_row(std::string& text, const std::vector<Column>& columns, const std
 
 }  // namespace
 
-std::string text_table(const std::vector<std::string>& header,
-                       const std::vector<std::vector<std::string>>& rows, std::size_t width) {
-  RAMIFY_EXPECTS(!header.empty());
-  std::vector<Column> columns = measure(header, rows);
+std::string write_text(const Table& table, std::size_t width) {
+  const auto rows = texts_of(table);
+  std::vector<Column> columns = measure(table, rows);
   if (width > 0) limit_last(columns, width);
   std::vector<std::string> rule;
   for (const auto& column : columns) rule.emplace_back(column.width, '-');
   std::string text;
-  append_row(text, columns, header);
+  append_row(text, columns, table.columns());
   append_row(text, columns, rule);
   for (const auto& row : rows) append_row(text, columns, row);
   return text;
-}
-
-std::size_t terminal_width() {
-  winsize size{};
-  if (::isatty(STDOUT_FILENO) == 0 || ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0) return 0;
-  return size.ws_col;
 }
 
 }  // namespace ramify

@@ -1,0 +1,84 @@
+#include "ramify/io/table.hpp"
+
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "ramify/core/contract.hpp"
+#include "ramify/core/number.hpp"
+
+namespace ramify {
+namespace {
+
+struct ToText {
+  std::string operator()(std::monostate) const { return {}; }
+  std::string operator()(const std::string& text) const { return text; }
+  std::string operator()(std::int64_t value) const { return std::to_string(value); }
+  std::string operator()(std::uint64_t value) const { return std::to_string(value); }
+
+  std::string operator()(const Real& real) const {
+    if (std::isnan(real.value)) return {};
+    switch (real.notation) {
+      case Real::Notation::significant:
+        return format_significant(real.value, real.digits);
+      case Real::Notation::fixed:
+        return fmt::format("{:.{}f}", real.value, real.digits);
+      case Real::Notation::exact:
+        break;
+    }
+    return format_exact(real.value);
+  }
+};
+
+}  // namespace
+
+std::string to_text(const Field& field) {
+  return std::visit(ToText(), field);
+}
+
+Row& Row::nothing() {
+  fields_.emplace_back();
+  return *this;
+}
+
+Row& Row::text(std::string_view value) {
+  fields_.emplace_back(std::in_place_type<std::string>, value);
+  return *this;
+}
+
+Row& Row::texts(std::initializer_list<std::string_view> values) {
+  for (const auto value : values) text(value);
+  return *this;
+}
+
+Row& Row::add(std::int64_t value) {
+  fields_.emplace_back(value);
+  return *this;
+}
+
+Row& Row::add(std::uint64_t value) {
+  fields_.emplace_back(value);
+  return *this;
+}
+
+Row& Row::add(Real value) {
+  fields_.emplace_back(value);
+  return *this;
+}
+
+Table::Table(std::vector<std::string> columns) : columns_(std::move(columns)) {
+  RAMIFY_EXPECTS(!columns_.empty());
+}
+
+void Table::add(Row row) {
+  RAMIFY_EXPECTS(row.fields_.size() == columns_.size());
+  std::move(row.fields_.begin(), row.fields_.end(), std::back_inserter(fields_));
+}
+
+std::span<const Field> Table::row(std::size_t index) const {
+  return std::span(fields_).subspan(index * columns_.size(), columns_.size());
+}
+
+}  // namespace ramify
