@@ -3,32 +3,17 @@
 #include "session.hpp"
 #include "verbs.hpp"
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include "ramify/core/nearest_name.hpp"
-#include "ramify/format/read_trees.hpp"
-#include "ramify/io/csv_writer.hpp"
-#include "ramify/measure/measure_json.hpp"
-#include "ramify/measure/measure_tables.hpp"
+#include "ramify/measure/measure_files.hpp"
 #include "ramify/text/read_count.hpp"
-#include "ramify/tree/contract_unary.hpp"
 
 namespace ramify::cli {
 namespace {
-
-const std::vector<std::string> outputs{"orders", "summary", "levels", "nodes", "json"};
 
 struct Options {
   std::vector<std::string> files;
   std::string format = "auto", leaf_order = "1", root, scale = "0", output = "orders", out;
   bool keep_unary = false;
-};
-
-/// What the files hold, as far as the output asks for it.
-struct Measured {
-  std::vector<MeasuredOrders> orders;
-  std::vector<TreeMeasurement> all;
-  Table levels = level_table(), nodes = node_table();
 };
 
 unsigned small_number(const std::string& option, const std::string& text, std::uint64_t most) {
@@ -39,61 +24,20 @@ unsigned small_number(const std::string& option, const std::string& text, std::u
   return static_cast<unsigned>(value);
 }
 
-void measure_counts(const std::string& text, const std::string& file, const Options& options,
-                    Measured& measured) {
-  const OrderCounts counts = read_order_counts(CsvData::parse(text, file));
-  for (const auto& warning : counts.warnings) fmt::print(stderr, "ramify: warning: {}\n", warning);
-  if (options.output == "nodes" || options.output == "levels")
-    throw Error(fmt::format("{}: --output {}", file, options.output), "a table of counts has no nodes",
-                "take orders, summary or json");
-  MeasuredOrders orders = measure_orders(counts, file);
-  if (options.output == "orders") {
-    measured.orders.push_back(std::move(orders));
-  } else {
-    measured.all.push_back({std::move(orders), std::nullopt, {}});
-  }
-}
-
-void measure_one(const RecordedTree& tree, unsigned leaf_order, const Options& options, Measured& measured) {
-  if (options.output == "orders") {
-    measured.orders.push_back(measure_orders(tree));
-  } else if (options.output == "levels") {
-    add_levels(measured.levels, tree);
-  } else if (options.output == "nodes") {
-    add_nodes(measured.nodes, tree, leaf_order);
-  } else {
-    measured.all.push_back(measure_all(tree));
-  }
-}
-
-std::string text_of(const Measured& measured, unsigned leaf_order, const std::string& output) {
-  if (output == "json") return measurement_json(measured.all, leaf_order);
-  if (output == "orders") return write_csv(orders_table(measured.orders, leaf_order));
-  if (output == "summary") return write_csv(summary_table(measured.all, leaf_order));
-  return write_csv(output == "levels" ? measured.levels : measured.nodes);
+MeasureRequest request_of(const Options& options) {
+  MeasureRequest request;
+  request.files = options.files;
+  request.output = parse_measure_output(options.output);
+  request.format = parse_tree_format(options.format);
+  request.leaf_order = small_number("--leaf-order", options.leaf_order, 1);
+  request.reading = {options.root, small_number("--scale", options.scale, 1000)};
+  request.keep_unary = options.keep_unary;
+  return request;
 }
 
 ExitCode measure(const Options& options, const Cancellation& cancellation) {
-  if (std::ranges::find(outputs, options.output) == outputs.end())
-    throw Error(fmt::format("--output {}", options.output), "no such table",
-                fmt::format("{}take {}", did_you_mean(options.output, outputs), fmt::join(outputs, ", ")));
-  const auto format = parse_tree_format(options.format);
-  const unsigned leaf_order = small_number("--leaf-order", options.leaf_order, 1);
-  const ReadOptions reading{options.root, small_number("--scale", options.scale, 1000)};
-  Measured measured;
-  for (const auto& file : options.files) {
-    const std::string text = read_tree_file(file);
-    if (!format && is_order_table(text)) {
-      measure_counts(text, file, options, measured);
-      continue;
-    }
-    for (RecordedTree& tree : read_trees(text, file, format, reading)) {
-      if (cancellation.requested()) throw Interrupted();
-      if (!options.keep_unary) tree = contract_unary(std::move(tree));
-      measure_one(tree, leaf_order, options, measured);
-    }
-  }
-  emit(text_of(measured, leaf_order, options.output), options.out);
+  const auto warn = [](const std::string& warning) { fmt::print(stderr, "ramify: warning: {}\n", warning); };
+  emit(measure_files(request_of(options), cancellation, warn), options.out);
   return ExitCode::done;
 }
 

@@ -1,0 +1,113 @@
+#include "ramify/measure/measure_files.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "ramify/core/error.hpp"
+#include "ramify/core/nearest_name.hpp"
+#include "ramify/io/csv_writer.hpp"
+#include "ramify/measure/measure_json.hpp"
+#include "ramify/measure/measure_tables.hpp"
+#include "ramify/tree/contract_unary.hpp"
+
+namespace ramify {
+namespace {
+
+using Output = MeasureRequest::Output;
+
+constexpr std::array<std::pair<const char*, Output>, 5> outputs{{{"orders", Output::orders},
+                                                                 {"summary", Output::summary},
+                                                                 {"levels", Output::levels},
+                                                                 {"nodes", Output::nodes},
+                                                                 {"json", Output::json}}};
+
+/// What the files hold, as far as the output asks for it.
+class Measured {
+ public:
+  explicit Measured(const MeasureRequest& request) : request_(request) {}
+
+  void add(const OrderCounts& counts, const std::string& file) {
+    if (request_.output == Output::nodes || request_.output == Output::levels)
+      throw Error(fmt::format("{}: --output {}", file, request_.output == Output::nodes ? "nodes" : "levels"),
+                  "a table of counts has no nodes", "take orders, summary or json");
+    MeasuredOrders orders = measure_orders(counts, file);
+    if (request_.output == Output::orders) {
+      orders_.push_back(std::move(orders));
+    } else {
+      all_.push_back({std::move(orders), std::nullopt, {}});
+    }
+  }
+
+  void add(const RecordedTree& tree) {
+    switch (request_.output) {
+      case Output::orders:
+        return orders_.push_back(measure_orders(tree));
+      case Output::levels:
+        return add_levels(levels_, tree);
+      case Output::nodes:
+        return add_nodes(nodes_, tree, request_.leaf_order);
+      case Output::summary:
+      case Output::json:
+        all_.push_back(measure_all(tree));
+    }
+  }
+
+  std::string text() const {
+    switch (request_.output) {
+      case Output::orders:
+        return write_csv(orders_table(orders_, request_.leaf_order));
+      case Output::summary:
+        return write_csv(summary_table(all_, request_.leaf_order));
+      case Output::json:
+        return measurement_json(all_, request_.leaf_order);
+      case Output::levels:
+        return write_csv(levels_);
+      case Output::nodes:
+        break;
+    }
+    return write_csv(nodes_);
+  }
+
+ private:
+  const MeasureRequest& request_;
+  std::vector<MeasuredOrders> orders_;
+  std::vector<TreeMeasurement> all_;
+  Table levels_ = level_table(), nodes_ = node_table();
+};
+
+}  // namespace
+
+MeasureRequest::Output parse_measure_output(const std::string& name) {
+  std::vector<std::string> names;
+  for (const auto& [known, output] : outputs) {
+    if (name == known) return output;
+    names.emplace_back(known);
+  }
+  throw Error(fmt::format("--output {}", name), "no such table",
+              fmt::format("{}take {}", did_you_mean(name, names), fmt::join(names, ", ")));
+}
+
+std::string measure_files(const MeasureRequest& request, const Cancellation& cancellation,
+                          const std::function<void(const std::string&)>& warn) {
+  Measured measured(request);
+  for (const auto& file : request.files) {
+    const std::string text = read_tree_file(file);
+    if (!request.format && is_order_table(text)) {
+      const OrderCounts counts = read_order_counts(CsvData::parse(text, file));
+      for (const auto& warning : counts.warnings) warn(warning);
+      measured.add(counts, file);
+      continue;
+    }
+    for (RecordedTree& tree : read_trees(text, file, request.format, request.reading)) {
+      if (cancellation.requested()) throw Interrupted();
+      measured.add(request.keep_unary ? tree : contract_unary(std::move(tree)));
+    }
+  }
+  return measured.text();
+}
+
+}  // namespace ramify

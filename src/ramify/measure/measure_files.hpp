@@ -1,0 +1,34 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ramify/core/cancellation.hpp"
+#include "ramify/format/read_trees.hpp"
+
+namespace ramify {
+
+/// What `ramify measure` is asked for.
+struct MeasureRequest {
+  enum class Output { orders, summary, levels, nodes, json };
+
+  std::vector<std::string> files;    ///< of trees, or of counts of streams; "-" is standard input
+  std::optional<TreeFormat> format;  ///< found by content where none is given
+  ReadOptions reading;
+  unsigned leaf_order = 1;  ///< 0 or 1: order of the external nodes in the tables
+  bool keep_unary = false;  ///< count one-child nodes instead of contracting them
+  Output output = Output::orders;
+};
+
+/// The output of that name; throws Error for another (nearest names given).
+MeasureRequest::Output parse_measure_output(const std::string& name);
+
+/// Reads the files and returns the table, or the JSON, of all that they hold. Throws Error for a file that
+/// cannot be read and for nodes or levels of a table of counts, Interrupted when cancelled.
+/// @param warn  is told what is doubtful in a table of counts, in one line
+std::string measure_files(const MeasureRequest& request, const Cancellation& cancellation,
+                          const std::function<void(const std::string&)>& warn);
+
+}  // namespace ramify
