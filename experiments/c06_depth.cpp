@@ -8,33 +8,18 @@
 #include "ramify/theory/depth_constant.hpp"
 
 namespace ramify {
-namespace {
-
-std::vector<GrowthClaim> parts() {
-  std::vector<GrowthClaim> all;
-  int number = 1;
-  for (const char* model : {"bst", "beta(10,10)", "beta(10,80)", "patricia(0.23)"}) {
-    all.push_back({"C6." + std::to_string(number++), "K96 Theorem 2.1",
-                   std::string("E D_n ~ log(n)/mu, ") + model,
-                   "nodes on the path to the last node, root counted", model, "depth",
-                   depth_constant(Model::parse(model)).value().value, 0.05, Approach::settles, ""});
-  }
-  return all;
-}
-
-std::vector<Verdict> judge_depth(const std::vector<CheckedCell>& cells) {
-  return judge_growth(parts(), cells);
-}
-
-std::vector<NamedPlot> plot_depth(const std::vector<CheckedCell>& cells) {
-  return {{"C6_depth", growth_plot("Depth of the last node", "mean D_n (nodes)", parts(), cells)}};
-}
-
-}  // namespace
 
 Claim depth_claim() {
-  return {"C6", "D_n/log n -> 1/mu: depth of the last node of a random split tree",
-          "K96 Theorem 2.1; DK95 Theorem 1", judge_depth, plot_depth};
+  return growth_law_claim(
+      {"C6",
+       "D_n/log n -> 1/mu: depth of the last node of a random split tree",
+       "K96 Theorem 2.1; DK95 Theorem 1",
+       {"depth", growth_sizes, "split trees whose constant 1/mu is known", has<depth_constant>},
+       {},
+       {}},
+      {"K96 Theorem 2.1", "E D_n ~ log(n)/mu", "nodes on the path to the last node, root counted",
+       depth_constant, 0.05, Approach::settles, ""},
+      {"C6_depth", "Depth of the last node", "mean D_n (nodes)"});
 }
 
 }  // namespace ramify

@@ -10,34 +10,19 @@
 #include "ramify/theory/height_constant.hpp"
 
 namespace ramify {
-namespace {
-
-std::vector<GrowthClaim> parts() {
-  std::vector<GrowthClaim> all;
-  int number = 1;
-  for (const char* model : {"bst", "beta(10,10)", "beta(10,80)"}) {
-    all.push_back(
-        {"C7." + std::to_string(number++), "K96 Theorem 2.2", std::string("H_n ~ gamma log(n), ") + model,
-         "nodes on the longest path, root and external node counted", model, "height",
-         height_constant(Model::parse(model)).value().value, 0.02, Approach::drifts,
-         "a log log n term is left, so slopes decide nothing below astronomic n: the exact laws must"});
-  }
-  return all;
-}
-
-std::vector<Verdict> judge_height(const std::vector<CheckedCell>& cells) {
-  return judge_growth(parts(), cells);
-}
-
-std::vector<NamedPlot> plot_height(const std::vector<CheckedCell>& cells) {
-  return {{"C7_height", growth_plot("Height", "mean H_n (nodes)", parts(), cells)}};
-}
-
-}  // namespace
 
 Claim height_claim() {
-  return {"C7", "H_n/log n -> gamma: height of a random split tree", "K96 Theorem 2.2; DK95 Theorem 2",
-          judge_height, plot_height};
+  return growth_law_claim(
+      {"C7",
+       "H_n/log n -> gamma: height of a random split tree",
+       "K96 Theorem 2.2; DK95 Theorem 2",
+       {"height", growth_sizes, "split trees whose constant gamma is known", has<height_constant>},
+       {},
+       {}},
+      {"K96 Theorem 2.2", "H_n ~ gamma log(n)", "nodes on the longest path, root and external node counted",
+       height_constant, 0.02, Approach::drifts,
+       "a log log n term is left, so slopes decide nothing below astronomic n: the exact laws must"},
+      {"C7_height", "Height", "mean H_n (nodes)"});
 }
 
 }  // namespace ramify

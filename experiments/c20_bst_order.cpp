@@ -12,12 +12,13 @@
 #include "growth.hpp"
 
 #include "ramify/compare/judge.hpp"
+#include "ramify/theory/strahler_constant.hpp"
 
 namespace ramify {
 namespace {
 
-constexpr const char* model = "bst";
 constexpr const char* convention = "order of the root, leaf order 0";
+constexpr const char* statistic = "strahler";
 const double log_3_constant = 1 / std::log(3.0);
 
 GrowthClaim tight() {
@@ -25,8 +26,7 @@ GrowthClaim tight() {
           "K96 5.1.6 and App. C",
           "E S_n ~ log_3 n, bst (bound \"believed to be tight\")",
           convention,
-          model,
-          "strahler",
+          statistic,
           log_3_constant,
           0.002,
           Approach::settles,
@@ -70,12 +70,9 @@ Verdict finite_bound(const std::vector<SizedMean>& means) {
           "sampled mean minus log_3 n at the size where it is clearest; one finite n suffices to refute"};
 }
 
-std::vector<Verdict> judge_order(const std::vector<CheckedCell>& cells) {
-  std::vector<Verdict> verdicts = judge_growth({tight()}, cells);
-  if (verdicts.empty()) return {};
-  verdicts.insert(verdicts.begin(), upper_bound(verdicts.front()));
-  verdicts.push_back(finite_bound(means_of(cells, model, "strahler")));
-  return verdicts;
+std::vector<Verdict> judge_order(const std::vector<ModelCells>& models) {
+  const Verdict growth = judge_growth(tight(), models.front());
+  return {upper_bound(growth), growth, finite_bound(means_of(models.front(), statistic))};
 }
 
 /// What is left of the mean when the law through the first point is taken off: a level line for the true
@@ -89,9 +86,9 @@ PlotSeries residual(const std::string& label, double constant, const std::vector
   return series;
 }
 
-std::vector<NamedPlot> plot_order(const std::vector<CheckedCell>& cells) {
-  const auto means = means_of(cells, model, "strahler");
-  if (means.empty()) return {};
+std::vector<NamedPlot> plot_order(const std::vector<ModelCells>& models) {
+  const ModelCells& bst = models.front();
+  const auto means = means_of(bst, statistic);
   Plot plot{"Horton-Strahler number of random binary search trees",
             "sampled mean minus the law through the first point; a law that holds stays level (two standard "
             "errors)",
@@ -102,17 +99,22 @@ std::vector<NamedPlot> plot_order(const std::vector<CheckedCell>& cells) {
             {}};
   plot.series.push_back(residual("minus log n / log 3: the thesis", log_3_constant, means));
   plot.series.push_back(residual("minus log n / log 3.0438: Kovchegov and Zaliapin's ratio",
-                                 1 / std::log(3.043827861838666), means));
-  return {{"C20_bst_order", growth_plot("Horton-Strahler number of random binary search trees",
-                                        "mean S_n (leaf order 0)", {tight()}, cells)},
+                                 strahler_constant(bst.model).value().value, means));
+  return {growth_plot({"C20_bst_order", "Horton-Strahler number of random binary search trees",
+                       "mean S_n (leaf order 0)"},
+                      {{tight(), bst}}),
           {"C20_bst_order_residual", plot}};
 }
 
 }  // namespace
 
 Claim bst_order_claim() {
-  return {"C20", "S_n <= (1+eps) log_3 n, believed tight: Horton-Strahler number of random BSTs",
-          "K96 Theorem C.3, 3.2.2, 5.1.6", judge_order, plot_order};
+  return {"C20",
+          "S_n <= (1+eps) log_3 n, believed tight: Horton-Strahler number of random BSTs",
+          "K96 Theorem C.3, 3.2.2, 5.1.6",
+          {statistic, growth_sizes, "random binary search trees, bst", is_of<Bst>},
+          judge_order,
+          plot_order};
 }
 
 }  // namespace ramify

@@ -1,10 +1,52 @@
 #include "claim.hpp"
 
+#include <algorithm>
+#include <map>
 #include <sstream>
 
+#include <fmt/format.h>
+
+#include "ramify/core/error.hpp"
 #include "ramify/core/find_named.hpp"
 
 namespace ramify {
+namespace {
+
+void require_models(const Claim& claim, const RunConfig& config) {
+  for (const auto& group : config.groups)
+    for (const auto& model : group.models)
+      if (!claim.needs.speaks_of(model))
+        throw Error(fmt::format("{}: claim {} with model {}", config.path, claim.id, model.text()),
+                    fmt::format("it speaks of {}", claim.needs.models),
+                    "take the model, or the claim, out of the config");
+}
+
+/// The sizes of a model in all groups of a config.
+std::size_t sizes_of(const Model& model, const RunConfig& config) {
+  std::size_t sizes = 0;
+  for (const auto& group : config.groups)
+    sizes += group.sizes.size() * static_cast<std::size_t>(std::ranges::count(group.models, model));
+  return sizes;
+}
+
+void require_sizes(const Claim& claim, const RunConfig& config) {
+  for (const auto& group : config.groups)
+    for (const auto& model : group.models)
+      if (const std::size_t sizes = sizes_of(model, config); sizes < claim.needs.sizes)
+        throw Error(
+            fmt::format("{}: claim {} with {} sizes of {}", config.path, claim.id, sizes, model.text()),
+            fmt::format("it is judged over {} or more", claim.needs.sizes), "add sizes to n");
+}
+
+void require_needs(const Claim& claim, const RunConfig& config) {
+  if (!config.statistics.contains(claim.needs.statistic))
+    throw Error(fmt::format("{}: claim {} without '{}'", config.path, claim.id, claim.needs.statistic),
+                "it is judged by that statistic", "add it to statistics");
+  require_models(claim, config);
+  require_sizes(claim, config);
+}
+
+}  // namespace
 
 const std::vector<Claim>& claims() {
   static const std::vector<Claim> all{depth_claim(),         height_claim(),    patricia_order_claim(),
@@ -17,6 +59,18 @@ std::vector<const Claim*> find_claims(std::string_view ids) {
   std::istringstream words{std::string(ids)};
   for (std::string id; words >> id;) found.push_back(&find_named(claims(), &Claim::id, id, "claim"));
   return found;
+}
+
+std::vector<const Claim*> served_claims(const RunConfig& config) {
+  const auto served = find_claims(config.claim.value_or(""));
+  for (const Claim* claim : served) require_needs(*claim, config);
+  return served;
+}
+
+Table claim_table() {
+  Table table({"claim", "statement", "source"});
+  for (const auto& claim : claims()) table.add(Row().texts({claim.id, claim.statement, claim.source}));
+  return table;
 }
 
 }  // namespace ramify

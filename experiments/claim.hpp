@@ -1,12 +1,17 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "ramify/compare/verdict.hpp"
-#include "ramify/run/run_tables.hpp"
+#include "ramify/config/run_config.hpp"
+#include "ramify/io/table.hpp"
+#include "ramify/model/registry.hpp"
 #include "ramify/report/plot.hpp"
+#include "ramify/run/run_tables.hpp"
 
 namespace ramify {
 
@@ -16,19 +21,39 @@ struct NamedPlot {
   Plot plot;
 };
 
-/// A claim of the sources as an experiment: the catalogue number, what it says, and how finished cells decide
-/// it.
+/// The finished cells of one model, smallest n first.
+struct ModelCells {
+  Model model;
+  std::vector<CheckedCell> cells;
+};
+
+/// It is of trees of that split law.
+template <class Law>
+bool is_of(const Model& model) {
+  return model.is_split() && std::holds_alternative<Law>(model.law());
+}
+
+/// What a claim needs of a config that serves it.
+struct ClaimNeeds {
+  std::string_view statistic;  ///< that it is judged by
+  std::size_t sizes;           ///< of every model, at least
+  std::string_view models;     ///< what it speaks of, in words
+  bool (*speaks_of)(const Model&);
+};
+
+/// A claim of the sources as an experiment: the catalogue number, what it says, what decides it and how.
 ///
-/// A config serves a claim by naming it (`claim = "C20"`, or several: "C6 C7"); judge and plots then get the
-/// cells of all configs that do. A new claim is one file here, a line in claims() and a config in
-/// configs/quick and configs/full.
+/// Models, sizes and replicates are those of the configs that serve it (`claim = "C20"`, or several: "C6
+/// C7"); judge and plots get the cells of all of them, model by model in the order of the configs. A new
+/// claim is one file here, a line in claims() and a config in configs/quick and configs/full.
 struct Claim {
-  std::string_view id;  ///< catalogue number, "C20"
+  std::string_view id;  ///< number in docs/catalogue.md, "C20"
   std::string_view statement;
   std::string_view source;
-  /// One verdict for every part of the claim that the cells bear on.
-  std::vector<Verdict> (*judge)(const std::vector<CheckedCell>& cells);
-  std::vector<NamedPlot> (*plots)(const std::vector<CheckedCell>& cells);
+  ClaimNeeds needs;
+  /// One verdict for every part of the claim that the models bear on; every model has what `needs` says.
+  std::function<std::vector<Verdict>(const std::vector<ModelCells>&)> judge;
+  std::function<std::vector<NamedPlot>(const std::vector<ModelCells>&)> plots;
 };
 
 /// All claims, in the order of the catalogue.
@@ -36,6 +61,13 @@ const std::vector<Claim>& claims();
 
 /// The claims that a config's `claim` key names; throws Error for an unknown one (nearest names given).
 std::vector<const Claim*> find_claims(std::string_view ids);
+
+/// The claims that a config serves. Throws Error for an unknown one, and where the config lacks what one of
+/// them needs: its statistic, sizes of a model, or no model but those it speaks of.
+std::vector<const Claim*> served_claims(const RunConfig& config);
+
+/// Number, statement and source of every claim: `ramify list claims`.
+Table claim_table();
 
 Claim depth_claim();
 Claim height_claim();

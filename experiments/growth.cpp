@@ -20,7 +20,66 @@ std::string describe(const GrowthClaim& claim, const GrowthConstant& growth, Out
                                              : "the interval is too wide: more trees decide it");
 }
 
-Verdict judge_one(const GrowthClaim& claim, const std::vector<SizedMean>& means, const std::string& exact) {
+/// "sampled means within 2.1 standard errors of the exact ones to n = 1000", or that no exact law was in
+/// reach.
+std::string exact_note(const ModelCells& model, const std::string& column) {
+  double worst = 0;
+  Size largest = 0;
+  for (const auto& cell : model.cells) {
+    for (std::size_t i = 0; i < cell.result.columns.size(); ++i) {
+      if (cell.result.columns[i].name != column || !cell.checks[i]) continue;
+      worst = std::max(worst, std::fabs(cell.checks[i]->z));
+      largest = cell.result.n;
+    }
+  }
+  if (largest == 0) return "no exact finite-n mean in reach";
+  return fmt::format("sampled means within {:.1f} standard errors of the exact ones to n = {}", worst,
+                     largest);
+}
+
+PlotSeries sampled_means(const GrowthCase& growth, const std::vector<SizedMean>& means) {
+  PlotSeries sampled{growth.model.model.text(), PlotSeries::Style::points, {}, {}};
+  for (const auto& point : means) sampled.points.push_back({point.n, point.mean, 2 * point.standard_error});
+  return sampled;
+}
+
+PlotSeries law_through(const GrowthCase& growth, const std::vector<SizedMean>& means) {
+  const double theory = growth.claim.theory;
+  PlotSeries law{
+      fmt::format("{}: slope {:.4g}", growth.model.model.text(), theory), PlotSeries::Style::dashed, {}, {}};
+  const SizedMean& last = means.back();
+  for (const auto& point : means)
+    law.points.push_back({point.n, last.mean + theory * std::log(point.n / last.n), 0});
+  return law;
+}
+
+std::vector<GrowthCase> cases_of(const GrowthLaw& law, std::string_view id, std::string_view statistic,
+                                 const std::vector<ModelCells>& models) {
+  std::vector<GrowthCase> cases;
+  for (const auto& model : models)
+    cases.push_back({{fmt::format("{}.{}", id, cases.size() + 1), std::string(law.source),
+                      fmt::format("{}, {}", law.statement, model.model.text()), std::string(law.convention),
+                      std::string(statistic), law.constant(model.model).value().value, law.tolerance,
+                      law.approach, std::string(law.why_drifts)},
+                     model});
+  return cases;
+}
+
+}  // namespace
+
+std::vector<SizedMean> means_of(const ModelCells& model, const std::string& column) {
+  std::vector<SizedMean> means;
+  for (const auto& cell : model.cells) {
+    const auto& summary = cell.result.column(column);
+    const double least_error = 1 / static_cast<double>(cell.result.replicates);
+    means.push_back(
+        {static_cast<double>(cell.result.n), summary.mean, std::max(summary.standard_error, least_error)});
+  }
+  return means;
+}
+
+Verdict judge_growth(const GrowthClaim& claim, const ModelCells& model) {
+  const auto means = means_of(model, claim.statistic);
   const GrowthConstant growth = growth_constant(means);
   const Interval interval = growth_interval(growth, claim.approach);
   Outcome outcome = judge(interval, claim.theory, claim.tolerance * claim.theory);
@@ -36,93 +95,41 @@ Verdict judge_one(const GrowthClaim& claim, const std::vector<SizedMean>& means,
           interval.upper,
           static_cast<std::uint64_t>(means.back().n),
           outcome,
-          describe(claim, growth, outcome) + "; " + exact};
+          describe(claim, growth, outcome) + "; " + exact_note(model, claim.statistic)};
 }
 
-PlotSeries law_through(const GrowthClaim& claim, const std::vector<SizedMean>& means) {
-  PlotSeries law{
-      fmt::format("{}: slope {:.4g}", claim.model, claim.theory), PlotSeries::Style::dashed, {}, {}};
-  const SizedMean& last = means.back();
-  for (const auto& point : means)
-    law.points.push_back({point.n, last.mean + claim.theory * std::log(point.n / last.n), 0});
-  return law;
-}
-
-}  // namespace
-
-std::vector<CheckedCell> cells_of(const std::vector<CheckedCell>& cells, std::string_view model) {
-  std::vector<CheckedCell> chosen;
-  std::copy_if(cells.begin(), cells.end(), std::back_inserter(chosen),
-               [&](const CheckedCell& cell) { return cell.result.model == model; });
-  std::sort(chosen.begin(), chosen.end(),
-            [](const auto& a, const auto& b) { return a.result.n < b.result.n; });
-  return chosen;
-}
-
-std::vector<SizedMean> means_of(const std::vector<CheckedCell>& cells, std::string_view model,
-                                const std::string& column) {
-  std::vector<SizedMean> means;
-  for (const auto& cell : cells_of(cells, model)) {
-    const auto& summary = cell.result.column(column);
-    const double least_error = 1 / static_cast<double>(cell.result.replicates);
-    means.push_back(
-        {static_cast<double>(cell.result.n), summary.mean, std::max(summary.standard_error, least_error)});
-  }
-  return means;
-}
-
-std::string exact_note(const std::vector<CheckedCell>& cells, std::string_view model,
-                       const std::string& column) {
-  double worst = 0;
-  Size largest = 0;
-  for (const auto& cell : cells_of(cells, model)) {
-    for (std::size_t i = 0; i < cell.result.columns.size(); ++i) {
-      if (cell.result.columns[i].name != column || !cell.checks[i]) continue;
-      worst = std::max(worst, std::fabs(cell.checks[i]->z));
-      largest = cell.result.n;
-    }
-  }
-  if (largest == 0) return "no exact finite-n mean in reach";
-  return fmt::format("sampled means within {:.1f} standard errors of the exact ones to n = {}", worst,
-                     largest);
-}
-
-std::vector<Verdict> judge_growth(const std::vector<GrowthClaim>& claims,
-                                  const std::vector<CheckedCell>& cells) {
-  std::vector<Verdict> verdicts;
-  for (const auto& claim : claims) {
-    const auto means = means_of(cells, claim.model, claim.statistic);
-    if (means.size() >= 4)
-      verdicts.push_back(judge_one(claim, means, exact_note(cells, claim.model, claim.statistic)));
-  }
-  return verdicts;
-}
-
-std::vector<PlotSeries> growth_series(const GrowthClaim& claim, const std::vector<CheckedCell>& cells) {
-  const auto means = means_of(cells, claim.model, claim.statistic);
-  if (means.empty()) return {};
-  PlotSeries sampled{claim.model, PlotSeries::Style::points, {}, {}};
-  for (const auto& point : means) sampled.points.push_back({point.n, point.mean, 2 * point.standard_error});
-  return {sampled, law_through(claim, means)};
-}
-
-Plot growth_plot(const std::string& title, const std::string& y_label, const std::vector<GrowthClaim>& claims,
-                 const std::vector<CheckedCell>& cells) {
+NamedPlot growth_plot(const PlotNames& names, const std::vector<GrowthCase>& cases) {
   Plot plot{
-      title,
+      std::string(names.title),
       "points: sampled means with two standard errors; dashed: the claimed slope through the last point",
       "n (internal nodes)",
-      y_label,
+      std::string(names.y_label),
       true,
       false,
       {}};
-  for (std::size_t i = 0; i < claims.size(); ++i) {
-    for (auto& series : growth_series(claims[i], cells)) {
-      series.color = i;
-      plot.series.push_back(std::move(series));
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const auto means = means_of(cases[i].model, cases[i].claim.statistic);
+    for (auto& series : {sampled_means(cases[i], means), law_through(cases[i], means)}) {
+      plot.series.push_back(series);
+      plot.series.back().color = i;
     }
   }
-  return plot;
+  return {std::string(names.stem), std::move(plot)};
+}
+
+Claim growth_law_claim(Claim claim, const GrowthLaw& law, const PlotNames& plot) {
+  const auto cases = [law, id = claim.id, statistic = claim.needs.statistic](const auto& models) {
+    return cases_of(law, id, statistic, models);
+  };
+  claim.judge = [cases](const std::vector<ModelCells>& models) {
+    std::vector<Verdict> verdicts;
+    for (const auto& [part, model] : cases(models)) verdicts.push_back(judge_growth(part, model));
+    return verdicts;
+  };
+  claim.plots = [cases, plot](const std::vector<ModelCells>& models) {
+    return std::vector<NamedPlot>{growth_plot(plot, cases(models))};
+  };
+  return claim;
 }
 
 }  // namespace ramify

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -8,16 +9,16 @@
 
 #include "ramify/compare/judge.hpp"
 #include "ramify/estimate/slope.hpp"
+#include "ramify/theory/constant.hpp"
 
 namespace ramify {
 
-/// A claim of the form "the mean of a statistic grows like theory * log n".
+/// A claim of the form "the mean of a statistic grows like theory * log n", of one model.
 struct GrowthClaim {
   std::string id;
   std::string source;
   std::string statement;
   std::string convention;
-  std::string model;      ///< as written in the config
   std::string statistic;  ///< column
   double theory;
   double tolerance;  ///< relative
@@ -25,29 +26,51 @@ struct GrowthClaim {
   std::string why_drifts;  ///< said where it stays inconclusive
 };
 
-/// The cells of one model, smallest n first.
-std::vector<CheckedCell> cells_of(const std::vector<CheckedCell>& cells, std::string_view model);
+/// Sizes without which no growth is judged.
+inline constexpr std::size_t growth_sizes = 4;
 
-/// Means of a column over the sizes of one model. A standard error is at least 1/trees: a sample without
-/// spread has not shown that there is none.
-std::vector<SizedMean> means_of(const std::vector<CheckedCell>& cells, std::string_view model,
-                                const std::string& column);
+/// Means of a column over the sizes of a model. A standard error is at least 1/trees: a sample without spread
+/// has not shown that there is none.
+std::vector<SizedMean> means_of(const ModelCells& model, const std::string& column);
 
-/// "means within 2.1 standard errors of the exact ones at n = 100..1000", or that no exact law was in reach.
-std::string exact_note(const std::vector<CheckedCell>& cells, std::string_view model,
-                       const std::string& column);
+/// Judges it by the slope over the upper half of the sizes, growth_sizes or more.
+Verdict judge_growth(const GrowthClaim& claim, const ModelCells& model);
 
-/// Judges each by the slope over the upper half of its sizes; leaves out a claim with fewer than four sizes
-/// of its model.
-std::vector<Verdict> judge_growth(const std::vector<GrowthClaim>& claims,
-                                  const std::vector<CheckedCell>& cells);
+/// A plot as a claim names it.
+struct PlotNames {
+  std::string_view stem, title, y_label;
+};
 
-/// Mean against n with error bars, the growth law drawn through the last point (its slope is the claim, its
-/// height is not).
-std::vector<PlotSeries> growth_series(const GrowthClaim& claim, const std::vector<CheckedCell>& cells);
+/// A growth claim and the model that it is of.
+struct GrowthCase {
+  GrowthClaim claim;
+  ModelCells model;
+};
 
-/// One plot of several such claims.
-Plot growth_plot(const std::string& title, const std::string& y_label, const std::vector<GrowthClaim>& claims,
-                 const std::vector<CheckedCell>& cells);
+/// Mean against n with error bars, case by case, the growth law drawn through the last point (its slope is
+/// the claim, its height is not).
+NamedPlot growth_plot(const PlotNames& names, const std::vector<GrowthCase>& cases);
+
+/// The same claim of every model, as data: lim E X_n / log n is a constant of the model.
+struct GrowthLaw {
+  std::string_view source;
+  std::string_view statement;  ///< without the model
+  std::string_view convention;
+  std::optional<Constant> (*constant)(const Model&);
+  double tolerance;  ///< relative
+  Approach approach;
+  std::string_view why_drifts;
+};
+
+/// A split tree of which the constant is known.
+template <std::optional<Constant> (*constant)(const Model&)>
+bool has(const Model& model) {
+  return model.is_split() && constant(model).has_value();
+}
+
+/// The claim with a verdict and a series of its plot for every model, numbered C6.1, C6.2, ... in the order
+/// of the configs.
+/// @param claim  without judge and plots; speaks of models that have the constant
+Claim growth_law_claim(Claim claim, const GrowthLaw& law, const PlotNames& plot);
 
 }  // namespace ramify

@@ -1,6 +1,6 @@
 #include "verdicts.hpp"
 
-#include <cmath>
+#include <algorithm>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -9,50 +9,6 @@
 #include "ramify/text/csv_reader.hpp"
 
 namespace ramify {
-
-void Evidence::add(const std::vector<const Claim*>& served, const std::vector<CheckedCell>& cells) {
-  for (const auto* claim : served) {
-    auto& mine = cells_[claim->id];
-    mine.insert(mine.end(), cells.begin(), cells.end());
-  }
-  all_.insert(all_.end(), cells.begin(), cells.end());
-}
-
-std::vector<Verdict> Evidence::verdicts() const {
-  std::vector<Verdict> all;
-  for (const auto& claim : claims()) {
-    const auto found = cells_.find(claim.id);
-    if (found == cells_.end()) continue;
-    for (auto& verdict : claim.judge(found->second)) all.push_back(std::move(verdict));
-  }
-  return all;
-}
-
-std::vector<NamedPlot> Evidence::plots() const {
-  std::vector<NamedPlot> all;
-  for (const auto& claim : claims()) {
-    const auto found = cells_.find(claim.id);
-    if (found == cells_.end()) continue;
-    for (auto& plot : claim.plots(found->second)) all.push_back(std::move(plot));
-  }
-  return all;
-}
-
-std::optional<Evidence::WorstCheck> Evidence::worst_check() const {
-  WorstCheck worst{0, "", 0};
-  for (const auto& cell : all_) {
-    for (std::size_t i = 0; i < cell.checks.size(); ++i) {
-      if (!cell.checks[i]) continue;
-      ++worst.checks;
-      if (std::fabs(cell.checks[i]->z) < worst.z) continue;
-      worst.z = std::fabs(cell.checks[i]->z);
-      worst.where =
-          fmt::format("{} of {} at n = {}", cell.result.columns[i].name, cell.result.model, cell.result.n);
-    }
-  }
-  if (worst.checks == 0) return std::nullopt;
-  return worst;
-}
 
 Table verdict_table(const std::vector<Verdict>& verdicts) {
   Table table({"claim", "source", "statement", "convention", "theory", "estimate", "standard_error", "lower",
@@ -87,21 +43,6 @@ std::string verdict_text(const std::vector<Verdict>& verdicts) {
   return write_text(table);
 }
 
-std::vector<std::string> changed_verdicts(const std::vector<Verdict>& verdicts,
-                                          const std::filesystem::path& reference) {
-  const CsvData committed = CsvData::read(reference);
-  std::vector<std::string> changed;
-  for (std::size_t row = 0; row < committed.rows(); ++row) {
-    for (const auto& v : verdicts) {
-      if (v.claim != committed.at(row, "claim") || to_string(v.outcome) == committed.at(row, "verdict"))
-        continue;
-      changed.push_back(
-          fmt::format("{}: {}, was {}", v.claim, to_string(v.outcome), committed.at(row, "verdict")));
-    }
-  }
-  return changed;
-}
-
 std::string verdict_json(const std::vector<Verdict>& verdicts) {
   auto all = nlohmann::ordered_json::array();
   for (const auto& v : verdicts)
@@ -118,6 +59,50 @@ std::string verdict_json(const std::vector<Verdict>& verdicts) {
                    {"verdict", to_string(v.outcome)},
                    {"method", v.method}});
   return all.dump(2) + "\n";
+}
+
+namespace {
+
+/// A verdict of a committed table.
+struct Committed {
+  std::string claim, statement, outcome;
+
+  bool is_of(const Verdict& verdict) const {
+    return claim == verdict.claim && statement == verdict.statement;
+  }
+};
+
+std::vector<Committed> read_committed(const std::filesystem::path& reference) {
+  const CsvData table = CsvData::read(reference);
+  std::vector<Committed> verdicts;
+  for (std::size_t row = 0; row < table.rows(); ++row)
+    verdicts.push_back({std::string(table.at(row, "claim")), std::string(table.at(row, "statement")),
+                        std::string(table.at(row, "verdict"))});
+  return verdicts;
+}
+
+}  // namespace
+
+std::vector<std::string> changed_verdicts(const std::vector<Verdict>& verdicts,
+                                          const std::filesystem::path& reference, Compared compared) {
+  const auto committed = read_committed(reference);
+  std::vector<std::string> changed;
+  for (const auto& old : committed) {
+    const auto now = std::ranges::find_if(verdicts, [&](const Verdict& v) { return old.is_of(v); });
+    if (now == verdicts.end()) {
+      if (compared == Compared::all)
+        changed.push_back(
+            fmt::format("{}: no verdict on '{}', was {}", old.claim, old.statement, old.outcome));
+    } else if (to_string(now->outcome) != old.outcome) {
+      changed.push_back(fmt::format("{}: {}, was {}", now->claim, to_string(now->outcome), old.outcome));
+    }
+  }
+  if (compared == Compared::those_in_both) return changed;
+  for (const auto& v : verdicts)
+    if (std::ranges::none_of(committed, [&](const Committed& old) { return old.is_of(v); }))
+      changed.push_back(
+          fmt::format("{}: {} on '{}', was not there", v.claim, to_string(v.outcome), v.statement));
+  return changed;
 }
 
 }  // namespace ramify

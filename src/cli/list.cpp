@@ -8,12 +8,6 @@
 namespace ramify::cli {
 namespace {
 
-Table claim_table() {
-  Table table({"claim", "statement", "source"});
-  for (const auto& claim : claims()) table.add(Row().texts({claim.id, claim.statement, claim.source}));
-  return table;
-}
-
 Table table_of(const std::string& what) {
   if (what == "models") return model_table();
   if (what == "statistics") return statistic_table();

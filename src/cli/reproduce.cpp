@@ -1,14 +1,14 @@
 #include <algorithm>
 
-#include "run_config_file.hpp"
+#include "judged_run.hpp"
+#include "run_flags.hpp"
+#include "served_configs.hpp"
 #include "session.hpp"
 #include "verbs.hpp"
+#include "verdicts.hpp"
 #include <fmt/format.h>
 
-#include "ramify/core/number.hpp"
 #include "ramify/io/atomic_file.hpp"
-#include "ramify/io/csv_writer.hpp"
-#include "ramify/text/read_count.hpp"
 
 namespace ramify::cli {
 namespace {
@@ -29,27 +29,13 @@ fs::path config_folder(const Options& options) {
               "name the folder with --configs");
 }
 
-bool serves(const RunConfig& config, const std::string& claim) {
-  const auto served = find_claims(config.claim.value_or(""));
-  return claim.empty() ||
-         std::any_of(served.begin(), served.end(), [&](const Claim* c) { return c->id == claim; });
-}
-
-std::vector<RunConfig> read_configs(const Options& options) {
+std::vector<RunConfig> configs_of(const Options& options) {
   if (options.scale != "quick" && options.scale != "full")
     throw Error(fmt::format("--scale {}", options.scale), "there is no such scale",
                 "take quick (minutes) or full");
-  find_claims(options.claim);
-  std::vector<fs::path> paths;
-  for (const auto& entry : fs::directory_iterator(config_folder(options)))
-    if (entry.path().extension() == ".toml") paths.push_back(entry.path());
-  std::sort(paths.begin(), paths.end());
-  std::vector<RunConfig> configs;
-  for (const auto& path : paths) {
-    RunConfig config = read_run_config(path);
-    if (!options.flags.seed.empty()) config.seed = read_count("--seed", options.flags.seed);
-    if (serves(config, options.claim)) configs.push_back(std::move(config));
-  }
+  const auto asked_for = find_claims(options.claim);
+  auto configs =
+      serving(read_configs(config_files(config_folder(options)), options.flags.given_seed()), asked_for);
   if (configs.empty())
     throw Error(fmt::format("nothing to run at scale {}", options.scale),
                 "no config serves what was asked for", "see: ramify list claims");
@@ -61,33 +47,28 @@ std::vector<RunConfig> read_configs(const Options& options) {
 ExitCode compare_with_reference(const Options& options, const std::vector<Verdict>& verdicts) {
   const fs::path reference =
       config_folder(options) / "../../results/reference" / options.scale / "verdicts.csv";
-  if (!fs::exists(reference)) return ExitCode::done;
-  const auto changed = changed_verdicts(verdicts, reference);
+  if (!options.flags.seed.empty() || !fs::exists(reference)) return ExitCode::done;
+  const auto changed =
+      changed_verdicts(verdicts, reference, options.claim.empty() ? Compared::all : Compared::those_in_both);
   for (const auto& line : changed) fmt::print(stderr, "ramify: a committed verdict changed: {}\n", line);
   return changed.empty() ? ExitCode::done : ExitCode::check_failed;
 }
 
 ExitCode reproduce(const Options& options, const Cancellation& cancellation) {
-  const auto configs = read_configs(options);
-  const unsigned threads = read_threads(options.flags.threads);
+  const auto configs = configs_of(options);
   if (options.flags.dry_run) {
-    emit(describe_work(configs, threads), "");
+    print_cost(configs, options.flags);
     return ExitCode::done;
   }
-  require_consent(total_nodes(configs), options.flags.yes);
   const fs::path out = options.flags.out;
-  require_writable_folder(out / "plots");
-  Evidence evidence;
-  for (const auto& config : configs) run_config_file(config, options.flags, cancellation, evidence);
+  const Evidence evidence = run_configs(configs, options.flags, cancellation);
+  write_verdicts(evidence, out);
   const auto verdicts = evidence.verdicts();
-  write_file_atomically(out / "verdicts.csv", write_csv(verdict_table(verdicts)));
-  for (const auto& named : evidence.plots()) write_plot(named.plot, out / "plots", named.stem);
-  write_file_atomically(out / "verdicts.txt", verdict_text(verdicts));
   emit(verdict_text(verdicts), "");
   fmt::print(stderr, "verdicts: {0}/verdicts.csv\nplots:    {0}/plots\ntables:   {0}/<config>/summary.csv\n",
              out.string());
-  const ExitCode checks = judge_checks(evidence);
-  return options.flags.seed.empty() ? std::max(checks, compare_with_reference(options, verdicts)) : checks;
+  const ExitCode checks = report_checks(evidence);
+  return std::max(checks, compare_with_reference(options, verdicts));
 }
 
 }  // namespace

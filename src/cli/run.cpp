@@ -1,12 +1,9 @@
-#include <set>
-
-#include "run_config_file.hpp"
+#include "run_flags.hpp"
+#include "served_configs.hpp"
 #include "session.hpp"
 #include "verbs.hpp"
+#include "verdicts.hpp"
 #include <fmt/format.h>
-
-#include "ramify/core/number.hpp"
-#include "ramify/text/read_count.hpp"
 
 namespace ramify::cli {
 namespace {
@@ -16,38 +13,19 @@ struct Options {
   RunFlags flags;
 };
 
-std::vector<RunConfig> read_configs(const Options& options) {
-  std::vector<RunConfig> configs;
-  std::set<std::string> stems;
-  for (const auto& path : options.configs) {
-    configs.push_back(read_run_config(path));
-    find_claims(configs.back().claim.value_or(""));
-    if (!options.flags.seed.empty()) configs.back().seed = read_count("--seed", options.flags.seed);
-    if (!stems.insert(std::filesystem::path(path).stem().string()).second)
-      throw Error(fmt::format("config '{}'", path),
-                  "another config has the same file name, and so the same folder",
-                  "run them with different --out");
-  }
-  return configs;
-}
-
 ExitCode run(const Options& options, const Cancellation& cancellation) {
-  const auto configs = read_configs(options);
-  const unsigned threads = read_threads(options.flags.threads);
+  const auto configs =
+      read_configs({options.configs.begin(), options.configs.end()}, options.flags.given_seed());
   if (options.flags.dry_run) {
-    emit(describe_work(configs, threads), "");
+    print_cost(configs, options.flags);
     return ExitCode::done;
   }
-  require_consent(total_nodes(configs), options.flags.yes);
-  Evidence evidence;
-  for (const auto& config : configs) run_config_file(config, options.flags, cancellation, evidence);
+  const Evidence evidence = run_configs(configs, options.flags, cancellation);
   const auto verdicts = evidence.verdicts();
   if (!verdicts.empty()) emit(verdict_text(verdicts), "");
   for (const auto& config : configs)
-    fmt::print(
-        stderr, "tables and plots: {}\n",
-        (std::filesystem::path(options.flags.out) / std::filesystem::path(config.path).stem()).string());
-  return judge_checks(evidence);
+    fmt::print(stderr, "tables and plots: {}\n", options.flags.folder_of(config).string());
+  return report_checks(evidence);
 }
 
 }  // namespace

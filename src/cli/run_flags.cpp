@@ -1,0 +1,74 @@
+#include "run_flags.hpp"
+
+#include "judged_run.hpp"
+#include "session.hpp"
+#include <fmt/format.h>
+
+#include "ramify/core/error.hpp"
+#include "ramify/run/run_cost.hpp"
+#include "ramify/text/read_count.hpp"
+
+namespace ramify::cli {
+namespace {
+
+void run_config(const RunConfig& config, const RunFlags& flags, const Cancellation& cancellation,
+                Evidence& evidence) {
+  const auto folder = flags.folder_of(config);
+  const RunOptions options{folder, read_threads(flags.threads), flags.resume,
+                           progress_line(folder.filename().string())};
+  const RunOutcome outcome = run_and_judge(config, options, cancellation, evidence);
+  clear_progress_line();
+  if (outcome.finished) return;
+  fmt::print(stderr, "ramify: {} of the cells are complete and kept in {}; continue with --resume\n",
+             outcome.cells.size(), outcome.folder.string());
+  throw Interrupted();
+}
+
+}  // namespace
+
+void RunFlags::add_to(Verb& verb) {
+  verb.option("--out", out, "folder for the results", Need::defaulted);
+  verb.option("--seed", seed, "use this seed in place of the configs'");
+  verb.option("--threads", threads, "threads; all cores if left out. No result depends on it");
+  verb.flag("--resume", resume, "take over the cells that an earlier run of the same config completed");
+  verb.flag("--dry-run", dry_run, "say what it would cost (nodes, minutes, memory), and stop");
+  verb.flag("--yes", yes, "allow more than 10^13 nodes");
+}
+
+std::optional<std::uint64_t> RunFlags::given_seed() const {
+  if (seed.empty()) return std::nullopt;
+  return read_count("--seed", seed);
+}
+
+std::filesystem::path RunFlags::folder_of(const RunConfig& config) const {
+  return std::filesystem::path(out) / std::filesystem::path(config.path).stem();
+}
+
+void print_cost(const std::vector<RunConfig>& configs, const RunFlags& flags) {
+  emit(describe_cost(configs, read_threads(flags.threads)), "");
+}
+
+Evidence run_configs(const std::vector<RunConfig>& configs, const RunFlags& flags,
+                     const Cancellation& cancellation) {
+  require_consent(total_nodes(configs), flags.yes);
+  Evidence evidence;
+  for (const auto& config : configs) run_config(config, flags, cancellation, evidence);
+  return evidence;
+}
+
+ExitCode report_checks(const Evidence& evidence) {
+  const auto worst = evidence.worst_check();
+  if (!worst) return ExitCode::done;
+  fmt::print(
+      stderr,
+      "{} sampled means held against exact finite-n laws: the worst is {:.1f} standard errors off ({})\n",
+      worst->checks, worst->z, worst->where);
+  if (!worst->is_alarming()) return ExitCode::done;
+  fmt::print(
+      stderr,
+      "ramify: a sampler disagrees with its exact law (more than {} standard errors): please report it\n",
+      Evidence::WorstCheck::alarming);
+  return ExitCode::check_failed;
+}
+
+}  // namespace ramify::cli

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "evidence.hpp"
+#include "program.hpp"
+
+#include "ramify/config/run_config.hpp"
+#include "ramify/core/cancellation.hpp"
+
+namespace ramify::cli {
+
+/// Options that `run` and `reproduce` share.
+struct RunFlags {
+  std::string out, seed, threads;
+  bool resume = false, dry_run = false, yes = false;
+
+  void add_to(Verb& verb);
+
+  /// Of --seed.
+  std::optional<std::uint64_t> given_seed() const;
+
+  /// --out/<stem of the config>
+  std::filesystem::path folder_of(const RunConfig& config) const;
+};
+
+/// What the configs would cost, for --dry-run.
+void print_cost(const std::vector<RunConfig>& configs, const RunFlags& flags);
+
+/// Runs the configs one after the other; asks first, as large work wants. Throws Interrupted, after saying
+/// where the complete cells lie, when stopped.
+Evidence run_configs(const std::vector<RunConfig>& configs, const RunFlags& flags,
+                     const Cancellation& cancellation);
+
+/// Says how far the sampled means lie from their exact values; check_failed where it is too far.
+ExitCode report_checks(const Evidence& evidence);
+
+}  // namespace ramify::cli
