@@ -3,26 +3,23 @@
 #include <cmath>
 
 #include "ramify/core/contract.hpp"
+#include "ramify/estimate/centred_slope.hpp"
 
 namespace ramify {
 
 Slope fit_slope(const std::vector<SizedMean>& points) {
   RAMIFY_EXPECTS(points.size() >= 2);
-  double weights = 0, x_mean = 0;
+  const auto weight = [](const SizedMean& point) {
+    return 1 / (point.standard_error * point.standard_error);
+  };
+  double weights = 0, mean_log_n = 0;
   for (const auto& point : points) {
-    const double weight = 1 / (point.standard_error * point.standard_error);
-    weights += weight;
-    x_mean += weight * std::log(point.n);
+    weights += weight(point);
+    mean_log_n += weight(point) * std::log(point.n);
   }
-  x_mean /= weights;
-  double sxx = 0, sxy = 0;
-  for (const auto& point : points) {
-    const double weight = 1 / (point.standard_error * point.standard_error);
-    const double x = std::log(point.n) - x_mean;
-    sxx += weight * x * x;
-    sxy += weight * x * point.mean;
-  }
-  return {sxy / sxx, 1 / std::sqrt(sxx), points.front().n, points.back().n};
+  CentredSlope slope(mean_log_n / weights);
+  for (const auto& point : points) slope.add(std::log(point.n), point.mean, weight(point));
+  return {slope.value(), 1 / std::sqrt(slope.weight()), points.front().n, points.back().n};
 }
 
 GrowthConstant growth_constant(const std::vector<SizedMean>& points) {

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "ramify/estimate/centred_slope.hpp"
+
 namespace ramify {
 
 OrderRatios order_ratios(std::span<const std::uint64_t> counts) {
@@ -11,16 +13,15 @@ OrderRatios order_ratios(std::span<const std::uint64_t> counts) {
     return {none, none, none};
   }
   const double top = static_cast<double>(counts.size() - 1);
-  double sum_of_ratios = 0, covariance = 0, variance = 0;
+  double sum_of_ratios = 0;
+  CentredSlope slope(top / 2);
   for (std::size_t k = 0; k < counts.size(); ++k) {
     const double count = static_cast<double>(counts[k]);
     if (k + 1 < counts.size()) sum_of_ratios += count / static_cast<double>(counts[k + 1]);
-    const double centred = static_cast<double>(k) - top / 2;
-    covariance += centred * std::log(count);
-    variance += centred * centred;
+    slope.add(static_cast<double>(k), std::log(count));
   }
   const double ends = static_cast<double>(counts.front()) / static_cast<double>(counts.back());
-  return {sum_of_ratios / top, std::exp(-covariance / variance), std::pow(ends, 1 / top)};
+  return {sum_of_ratios / top, std::exp(-slope.value()), std::pow(ends, 1 / top)};
 }
 
 }  // namespace ramify

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
+#include "ramify/estimate/centred_slope.hpp"
 #include "ramify/statistic/strahler.hpp"
 #include "ramify/tree/branch_pieces.hpp"
 
@@ -93,24 +95,22 @@ StreamGeometry stream_geometry(const Tree& tree, std::span<const double> lengths
 }
 
 MeanRatios mean_ratios(std::span<const double> means) {
-  double count = 0, x = 0, y = 0, xx = 0, xy = 0, sum_of_ratios = 0, ratios = 0;
-  std::size_t first = means.size(), last = 0;
-  for (std::size_t k = 0; k < means.size(); ++k) {
-    if (!(means[k] > 0)) continue;
-    first = std::min(first, k);
-    last = k;
-    const double order = static_cast<double>(k), logarithm = std::log(means[k]);
-    ++count;
-    x += order;
-    y += logarithm;
-    xx += order * order;
-    xy += order * logarithm;
+  std::vector<std::size_t> known;  // orders
+  for (std::size_t k = 0; k < means.size(); ++k)
+    if (means[k] > 0) known.push_back(k);
+  if (known.size() < 2) return {none, none, none};
+  const double orders = static_cast<double>(known.size());
+  CentredSlope slope(static_cast<double>(std::accumulate(known.begin(), known.end(), std::size_t{0})) /
+                     orders);
+  double sum_of_ratios = 0, ratios = 0;
+  for (const std::size_t k : known) {
+    slope.add(static_cast<double>(k), std::log(means[k]));
     if (k + 1 == means.size() || !(means[k + 1] > 0)) continue;
     sum_of_ratios += means[k + 1] / means[k];
     ++ratios;
   }
-  if (count < 2) return {none, none, none};
-  return {ratios > 0 ? sum_of_ratios / ratios : none, std::exp((count * xy - x * y) / (count * xx - x * x)),
+  const std::size_t first = known.front(), last = known.back();
+  return {ratios > 0 ? sum_of_ratios / ratios : none, std::exp(slope.value()),
           std::pow(means[last] / means[first], 1 / static_cast<double>(last - first))};
 }
 
