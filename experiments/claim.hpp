@@ -9,7 +9,7 @@
 #include "ramify/compare/verdict.hpp"
 #include "ramify/config/run_config.hpp"
 #include "ramify/io/table.hpp"
-#include "ramify/model/registry.hpp"
+#include "ramify/model/model.hpp"
 #include "ramify/report/plot.hpp"
 #include "ramify/run/run_tables.hpp"
 
