@@ -97,7 +97,7 @@ TEST(CompleteTree, IsExtremeAtEverySize) {
   }
 }
 
-// A4: R_1 = (n+1)/n in nodes; theory.md 0.
+// A4: R_1 = (n+1)/n in nodes.
 TEST(Chain, HasThePrintedCounts) {
   for (const Size n : {1u, 2u, 3u, 10u, 500u}) {
     const TreeMeasures measures = measures_of("chain", n);

@@ -70,7 +70,7 @@ double largest_difference(const std::vector<double>& one, const std::vector<doub
   return largest;
 }
 
-// (f(x) + f(1-x))/2 is the same for beta(a,a+1) and beta(a,a) (theory.md 0), so at every size the splits are
+// (f(x) + f(1-x))/2 is the same for beta(a,a+1) and beta(a,a), so at every size the splits are
 // the same up to left and right, and with them the law of every statistic that does not tell these apart.
 TEST(SplitRows, OfBetaWithOneMoreOnTheRightAreThoseOfTheSymmetricBeta) {
   for (const char* kind : {"beta", "beta_multinomial"})

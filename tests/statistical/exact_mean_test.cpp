@@ -68,8 +68,8 @@ TEST_P(ExactMeans, AreReachedAndTellSlipsApart) {
       test::rejected(test::z_test(name + ", slip", sample(wrong, n, trees, name + ", slip", read), exact)));
 }
 
-// Exact means by dynamic programming over sizes and in closed form (catalogue A11, A13, A14, A15, B16;
-// theory.md 2).
+// Exact means by dynamic programming over sizes and in closed form (A11, A13, A14, A15, B16), made apart
+// from the library.
 std::vector<ExactMean> exact_means() {
   const double p = 1 / 4.35;
   const Grow short_uniform = grower_of(test::ShortUniform{});

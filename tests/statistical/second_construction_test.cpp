@@ -145,7 +145,7 @@ INSTANTIATE_TEST_SUITE_P(Models, SecondConstruction, ::testing::ValuesIn(constru
                          [](const auto& instance) { return instance.param.name; });
 
 // beta(a,a+1) and beta(a,a) have the same law of unordered splits ((f(x)+f(1-x))/2 coincide): the same law of
-// all that does not see sides (theory.md 0), by different variates.
+// all that does not see sides, by different variates.
 TEST(BetaTrees, OfAAndAPlusOneAreThoseOfAAndAUpToSides) {
   const auto bst = tally_grown("bst", test::seed_of("bst, sides"));
   EXPECT_TRUE(test::agrees(

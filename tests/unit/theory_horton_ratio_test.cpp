@@ -75,6 +75,10 @@ struct Known {
   double a, b;
   double ratio;
   double tolerance;  ///< one unit of the last digit printed
+
+  friend std::ostream& operator<<(std::ostream& out, const Known& known) {
+    return out << "a = " << known.a << ", b = " << known.b;
+  }
 };
 
 class KnownHortonRatio : public testing::TestWithParam<Known> {};
@@ -184,7 +188,7 @@ TEST(HortonRatioConstant, OfTheModelsWithAClosedForm) {
             std::string::npos);
 }
 
-// theory.md 6; beta = 0 and -3/2 are known otherwise.
+// Computed apart (docs/theory/horton-ratio.md); beta = 0 and -3/2 are known otherwise.
 TEST(HortonRatioConstant, OfAldousTrees) {
   for (const auto& [model, ratio] :
        std::vector<std::pair<const char*, double>>{{"aldous(-1.9)", 7.236705313124},

@@ -23,7 +23,7 @@ constexpr std::array<std::string_view, 8> config_keys{"claim",      "seed",     
                                                       "replicates", "statistics", "graft",  "cells"};
 constexpr std::array<std::string_view, 3> group_keys{"models", "n", "replicates"};
 
-constexpr Expected claim_wanted{"the number of a claim", "claim = \"C20.2\""};
+constexpr Expected claim_wanted{"the number of a claim", "claim = \"C20\""};
 constexpr Expected seed_wanted{"a whole number", "seed = 1996"};
 constexpr Expected graft_wanted{"true or false", "graft = true"};
 constexpr Expected statistics_wanted{"a list of statistics", "statistics = [\"strahler\", \"height\"]"};

@@ -28,7 +28,7 @@ struct SizeGroup {
 struct RunConfig {
   std::string path;                  ///< the file, or the name given for the text
   std::string text;                  ///< its content, for provenance
-  std::optional<std::string> claim;  ///< "C20.2"; nothing for a free run
+  std::optional<std::string> claim;  ///< "C20" or "C6 C7"; nothing for a free run
   std::uint64_t seed = default_seed;
   StatisticSet statistics;
   bool graft = true;

@@ -25,7 +25,7 @@ struct CheckedCell {
   std::optional<double> worst_z() const;
 };
 
-/// summary.csv (INTERFACE: run).
+/// summary.csv: a row for every column of every cell.
 Table summary_table(const std::vector<CheckedCell>& cells);
 
 /// orders.csv: mean counts and pooled ratios of every order, nodes and streams, leaf order 0.

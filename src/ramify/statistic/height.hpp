@@ -6,7 +6,7 @@
 namespace ramify {
 
 /// Height (B4): nodes on the longest path from the root to an external node, both counted; a single external
-/// node has height 1. theory.md and most of the literature count internal levels: one less.
+/// node has height 1. Most of the literature counts internal levels: one less.
 class Height {
  public:
   using Value = std::uint32_t;

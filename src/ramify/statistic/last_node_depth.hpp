@@ -33,7 +33,7 @@ class RandomWalk {
 };
 
 /// Depth D_n of the last node (B23, Theorem 2.1): from size n >= 2 go to a child of size i with probability
-/// i / (n-1), end at size 1; nodes on the way, the root counted. theory.md counts edges: one less.
+/// i / (n-1), end at size 1; nodes on the way, the root counted. The literature often counts edges: one less.
 ///
 /// Needs labels that are sizes. Folded from below: at every fork with two internal children the walk that
 /// would arrive there chooses; only the choices along one path matter, and they are independent. Size 0 has
