@@ -1,4 +1,4 @@
-// ramify law: its tables, its stopping, and what it takes in memory.
+// ramify law: its tables, and what it takes in memory.
 #include <cctype>
 #include <initializer_list>
 
@@ -57,24 +57,6 @@ TEST(Law, OutputFileIsTheTable) {
   EXPECT_EQ(ran.code, 0) << ran.err;
   EXPECT_EQ(ran.out, "");
   EXPECT_EQ(read_file(scratch / "law.csv"), ramify(what).out);
-}
-
-TEST(Law, StopsBetweenSizesAndWritesNothing) {
-  const Scratch scratch;
-  const std::string file = (scratch / "law.csv").string();
-  const Ran stopped =
-      shell(std::string(RAMIFY_PROGRAM) + " law --model bst --n 2e5 --statistic orders --yes -o " + file +
-            " & sleep 0.5; kill -INT $!; wait $!");
-  EXPECT_EQ(stopped.code, 130) << stopped.err;
-  EXPECT_EQ(stopped.err, "ramify: interrupted\n");
-  EXPECT_FALSE(std::filesystem::exists(file));
-}
-
-TEST(Law, YesAllowsALongOne) {
-  const Ran ran =
-      shell(std::string(RAMIFY_PROGRAM) +
-            " law --model bst --n 5e5 --statistic depth --yes & sleep 0.3; kill -INT $!; wait $!");
-  EXPECT_EQ(ran.code, 130) << ran.err;
 }
 
 /// "beta(0.1,0.1)", "depth", "4096" -> "beta_0_1_0_1_depth_4096": what gtest takes for a name.

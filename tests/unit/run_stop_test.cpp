@@ -1,0 +1,73 @@
+// A run that is stopped keeps its complete cells, and resumed gives the bytes of one that was not.
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "ramify/run/run.hpp"
+#include "ramify/text/text_file.hpp"
+
+namespace ramify {
+namespace {
+
+namespace fs = std::filesystem;
+
+class StoppedRun : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::path(testing::TempDir()) / (std::string("ramify_stopped_run_") + test->name());
+    fs::remove_all(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  /// Runs the config on one thread, whose blocks come in order, and stops once so many nodes are grown.
+  RunOutcome run(const char* name, bool resume, double nodes) const {
+    Cancellation stop;
+    const auto watch = [&](double done, double) {
+      if (done >= nodes) stop.request();
+    };
+    return run_experiment(config_, {folder_ / name, 1, resume, watch}, stop);
+  }
+
+  std::string table(const fs::path& run) const { return read_text_file(run / "summary.csv"); }
+
+  const RunConfig config_ = parse_run_config(
+      "models = [\"bst\"]\nn = [100, 1000, 30000]\nreplicates = 100\n"
+      "statistics = [\"strahler\", \"streams\"]\ngraft = false\n",
+      "stopped.toml");
+  static constexpr double two_cells = 100 * 100 + 100 * 1000;
+  static constexpr double never = 1e300;
+  fs::path folder_;
+};
+
+TEST_F(StoppedRun, KeepsCompleteCellsAndPutsItsThingsAway) {
+  const RunOutcome stopped = run("o", false, two_cells);
+  EXPECT_FALSE(stopped.finished);
+  EXPECT_EQ(stopped.folder, folder_ / "o.incomplete");
+  EXPECT_FALSE(fs::exists(folder_ / "o"));
+  ASSERT_EQ(stopped.cells.size(), 2u);
+  EXPECT_EQ(stopped.cells.back().result.n, 1000u);
+  const std::string partial = table(stopped.folder);
+  EXPECT_NE(partial.find("bst,1000,"), std::string::npos);
+  EXPECT_EQ(partial.find("bst,30000,"), std::string::npos);
+  EXPECT_NE(read_text_file(stopped.folder / "provenance.json").find("interrupted"), std::string::npos);
+}
+
+// Laws and plots take longer than the two seconds that a stopped run has.
+TEST_F(StoppedRun, HasNoTimeForLawsAndPlots) {
+  const RunOutcome stopped = run("o", false, two_cells);
+  for (const auto& cell : stopped.cells) EXPECT_FALSE(cell.worst_z());
+  EXPECT_TRUE(fs::is_empty(stopped.folder / "plots"));
+}
+
+TEST_F(StoppedRun, ResumesToTheSameBytes) {
+  run("o", false, two_cells);
+  const RunOutcome resumed = run("o", true, never), fresh = run("fresh", false, never);
+  EXPECT_TRUE(resumed.finished);
+  EXPECT_EQ(resumed.folder, folder_ / "o");
+  EXPECT_EQ(table(resumed.folder), table(fresh.folder));
+  EXPECT_NE(table(fresh.folder).find("bst,30000,"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace ramify
