@@ -29,6 +29,10 @@ struct Known {
   Size n;
   double mean;
   double digits;  // half a unit of the last one printed
+
+  friend std::ostream& operator<<(std::ostream& out, const Known& known) {
+    return out << known.column << " of " << known.model << ", n = " << known.n;
+  }
 };
 
 class KnownMean : public testing::TestWithParam<Known> {};
@@ -159,6 +163,8 @@ TEST(KnownSlopes, OfDepthAndHeight) {
 struct Thresholds {
   const char* model;
   std::vector<double> strings;
+
+  friend std::ostream& operator<<(std::ostream& out, const Thresholds& known) { return out << known.model; }
 };
 
 class KnownThresholds : public testing::TestWithParam<Thresholds> {};

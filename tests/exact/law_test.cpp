@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "support/definitions.hpp"
+#include "support/growing.hpp"
 #include "support/shape.hpp"
 #include <gtest/gtest.h>
 
@@ -108,7 +109,7 @@ struct Laws {
   ramify::OrderMeans orders;
 };
 
-class LawOfModel : public testing::TestWithParam<const char*> {};
+class LawOfModel : public testing::TestWithParam<std::string> {};
 
 TEST_P(LawOfModel, AgreesWithAllTreesToSize8) {
   constexpr double tolerance = 2e-14;
@@ -139,12 +140,7 @@ TEST_P(LawOfModel, AgreesWithAllTreesToSize8) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Exact, LawOfModel,
-                         testing::Values("bst", "beta(2,5)", "beta(0.1,0.1)", "beta(10,80)",
-                                         "beta_multinomial(2,5)", "beta_multinomial(0.1,0.1)", "split(0.25)",
-                                         "split(0.7)", "dst(0.23)", "dst(0.9)", "patricia(0.23)",
-                                         "patricia(0.5)", "catalan", "aldous(-1.9)", "aldous(-1)",
-                                         "aldous(3)", "complete", "chain"));
+INSTANTIATE_TEST_SUITE_P(Exact, LawOfModel, testing::ValuesIn(ramify::test::all_models()));
 
 // The neighbours that the enumeration must tell apart: dst for patricia, nodes for streams, balance for
 // order.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "support/definitions.hpp"
+#include "support/growing.hpp"
 #include "support/shape.hpp"
 #include <boost/multiprecision/cpp_int.hpp>
 #include <gtest/gtest.h>
@@ -182,7 +183,7 @@ void expect_same(const Model& model, Size largest) {
   }
 }
 
-class EngineOfModel : public testing::TestWithParam<const char*> {};
+class EngineOfModel : public testing::TestWithParam<std::string> {};
 
 TEST_P(EngineOfModel, AgreesWithTheRecurrencesOfOneStatistic) {
   const Model model = Model::parse(GetParam());
@@ -220,9 +221,7 @@ TEST_P(EngineOfModel, AgreesWithTheMomentsOfTheCounts) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Exact, EngineOfModel,
-                         testing::Values("bst", "beta(2,5)", "beta(0.1,0.1)", "beta(10,80)", "split(0.25)",
-                                         "dst(0.23)", "patricia(0.23)", "catalan"));
+INSTANTIATE_TEST_SUITE_P(Exact, EngineOfModel, testing::ValuesIn(test::all_models()));
 
 }  // namespace
 }  // namespace ramify

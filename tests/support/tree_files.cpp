@@ -2,9 +2,9 @@
 
 #include <cstdlib>
 
+#include "support/error_of.hpp"
 #include <gtest/gtest.h>
 
-#include "ramify/core/error.hpp"
 #include "ramify/tree/parenthesis_word.hpp"
 
 namespace ramify::test {
@@ -24,14 +24,9 @@ std::string word_of(std::string_view text, const ReadOptions& options) {
 }
 
 std::string refusal_of(std::string_view text, const ReadOptions& options, std::optional<TreeFormat> format) {
-  try {
-    read_trees(text, "f", format, options);
-  } catch (const Error& error) {
-    const std::string message = error.what();
-    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
-    return message;
-  }
-  return "no error";
+  const std::string message = error_of([&] { read_trees(text, "f", format, options); });
+  EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+  return message;
 }
 
 std::string shared_file(const std::string& name) {

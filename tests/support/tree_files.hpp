@@ -17,7 +17,7 @@ RecordedTree tree_of(std::string_view text, const ReadOptions& options = {});
 /// Its word of E and parentheses.
 std::string word_of(std::string_view text, const ReadOptions& options = {});
 
-/// What reading the text as file "f" says; "no error" where it reads. Also checks that it is one line.
+/// What reading the text as file "f" says; empty where it reads. Also checks that it is one line.
 std::string refusal_of(std::string_view text, const ReadOptions& options = {},
                        std::optional<TreeFormat> format = std::nullopt);
 

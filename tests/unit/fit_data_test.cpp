@@ -2,21 +2,16 @@
 #include <cmath>
 #include <string>
 
+#include "support/error_of.hpp"
 #include <gtest/gtest.h>
 
-#include "ramify/core/error.hpp"
 #include "ramify/fit/ratio_datum.hpp"
 
 namespace ramify {
 namespace {
 
 std::string refusal(std::string_view text) {
-  try {
-    parse_ratio_data(text, "x.csv");
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of([&] { parse_ratio_data(text, "x.csv"); });
 }
 
 void expect_refused(std::string_view text, std::string_view place, std::string_view word) {

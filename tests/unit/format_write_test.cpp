@@ -2,6 +2,8 @@
 #include <cmath>
 #include <variant>
 
+#include "support/growing.hpp"
+#include "support/grown_cases.hpp"
 #include "support/shape.hpp"
 #include "support/tree_files.hpp"
 #include <gtest/gtest.h>
@@ -55,14 +57,12 @@ TEST_P(Written, SmallTreesComeBack) {
   for (const auto& tree : trees) expect_back({tree});
 }
 
-TEST_P(Written, TreesOfEveryKindOfModelComeBack) {
-  for (const char* text : {"bst", "catalan", "chain", "patricia(0.23)", "trie(0.3)", "ternary(0.2)",
-                           "kary(4)", "branching(0.2,0.3,0.5)"}) {
+TEST_P(Written, TreesOfEveryModelComeBack) {
+  auto cases = test::grown_cases();
+  for (const auto& split : test::all_models()) cases.push_back({split, 300});
+  for (const auto& [text, n] : cases) {
     SCOPED_TRACE(text);
     const Model model = Model::parse(text);
-    const bool by_levels =
-        std::string_view(text).starts_with("branching") || std::string_view(text).starts_with("kary");
-    const Size n = by_levels ? 5 : 300;
     std::vector<RecordedTree> trees;
     for (std::uint64_t replicate = 0; replicate < 4; ++replicate)
       trees.push_back(plain(grown(model, n, replicate)));

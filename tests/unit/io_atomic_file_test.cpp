@@ -1,17 +1,19 @@
 #include <filesystem>
 #include <string>
 
+#include "support/error_of.hpp"
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include "ramify/core/error.hpp"
 #include "ramify/io/atomic_file.hpp"
 #include "ramify/text/text_file.hpp"
 
 namespace ramify {
 namespace {
+
+using test::error_of;
 
 namespace fs = std::filesystem;
 
@@ -31,16 +33,6 @@ class AtomicFile : public testing::Test {
 
   fs::path folder_;
 };
-
-template <class Call>
-std::string error_of(Call call) {
-  try {
-    call();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 /// Files of this process end at a limit while this lives, as on a full disk.
 class SmallFiles {

@@ -1,3 +1,4 @@
+#include "support/error_of.hpp"
 #include <gtest/gtest.h>
 
 #include "ramify/io/csv_writer.hpp"
@@ -6,23 +7,10 @@
 namespace ramify {
 namespace {
 
-std::string csv_error(std::string_view text) {
-  try {
-    CsvData::parse(text, "t.csv");
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
-}
+using test::error_of;
 
-template <class Call>
-std::string error_of(Call call) {
-  try {
-    call();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
+std::string csv_error(std::string_view text) {
+  return test::error_of([&] { CsvData::parse(text, "t.csv"); });
 }
 
 TEST(CsvWriter, QuotesOnlyWhereNeeded) {

@@ -2,6 +2,8 @@
 #include <string>
 #include <variant>
 
+#include "support/growing.hpp"
+#include "support/grown_cases.hpp"
 #include <gtest/gtest.h>
 
 #include "ramify/model/split_tree.hpp"
@@ -41,12 +43,12 @@ void expect_same_but_for_the_walks(const TreeMeasures& a, const TreeMeasures& b,
 
 TEST(MeasureTree, SeesWhatTheGrowingPassSees) {
   const Cancellation never;
-  for (const char* text : {"bst", "beta(0.1,0.1)", "patricia(0.23)", "catalan", "split(0.3)"}) {
+  for (const std::string& text : test::all_models()) {
     const Model model = Model::parse(text);
     const auto all = make_tree_sampler({model, grow_all, max_size, &never});
     const auto full = make_tree_sampler({model, grow_full, max_size, &never});
     for (const Size n : {0u, 1u, 2u, 7u, 100u, 20'000u}) {
-      SCOPED_TRACE(std::string(text) + ", n = " + std::to_string(n));
+      SCOPED_TRACE(text + ", n = " + std::to_string(n));
       const StreamKey key{7, model.stream_cell(n)};
       TreeMeasures grown, less;
       all->sample(n, key, 3, grown);
@@ -61,12 +63,12 @@ TEST(MeasureTree, SeesWhatTheGrowingPassSees) {
 
 TEST(MeasureTree, SeesTheOrdersThatAreAskedForAlone) {
   const Cancellation never;
-  for (const auto& [text, n] : {std::pair{"trie(0.2)", 300}, std::pair{"ternary(0.2)", 300},
-                                std::pair{"galton_watson(0.3,0.4,0.3)", 301}, std::pair{"kary(3)", 1},
-                                std::pair{"branching(0,1,0)", 5}, std::pair{"node_beta(d,1)", 200}}) {
+  auto cases = test::grown_cases();
+  cases.insert(cases.end(), {{"kary(3)", 1}, {"branching(0,1,0)", 5}});  // a leaf, a path
+  for (const auto& [text, n] : cases) {
     const Model model = Model::parse(text);
     Stream stream({7, 8}, 9);
-    const Tree tree = model.grown().grow(static_cast<Size>(n), stream, never);
+    const Tree tree = model.grown().grow(n, stream, never);
     const TreeMeasures all = measure_tree(tree, {7, 8}, 9), orders = measure_orders_and_height(tree);
     EXPECT_EQ(orders.size, all.size) << text;
     EXPECT_EQ(orders.strahler, all.strahler) << text;

@@ -1,6 +1,7 @@
 #include <string>
 #include <vector>
 
+#include "support/growing.hpp"
 #include <gtest/gtest.h>
 
 #include "ramify/sample/graft_rule.hpp"
@@ -35,7 +36,7 @@ TEST(SamplingMethod, IsTheLeastPassThatReadsWhatIsAsked) {
 }
 
 TEST(GraftRule, IsSmallBesideTheTreeAndFitsTheTally) {
-  for (const char* text : {"bst", "beta(2,2)", "split(0.3)", "dst(0.23)", "patricia(0.23)", "catalan"}) {
+  for (const std::string& text : test::all_models()) {
     const Model model = Model::parse(text);
     for (const Pass pass : {Pass::lean, Pass::full, Pass::strahler, Pass::height, Pass::fill_level,
                             Pass::balance, Pass::depth, Pass::mean_counts}) {

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "support/error_of.hpp"
 #include <gtest/gtest.h>
 
-#include "ramify/core/error.hpp"
 #include "ramify/sample/tree_sampler.hpp"
 #include "ramify/statistic/registry.hpp"
 
@@ -15,12 +15,7 @@ namespace {
 using Names = std::vector<std::string>;
 
 std::string refusal(const Names& names) {
-  try {
-    StatisticSet::parse(names);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "accepted";
+  return test::error_of([&] { StatisticSet::parse(names); });
 }
 
 TEST(StatisticSet, RefusesWhatItDoesNotKnow) {

@@ -3,10 +3,10 @@
 #include <limits>
 #include <sstream>
 
+#include "support/error_of.hpp"
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "ramify/core/error.hpp"
 #include "ramify/io/csv_writer.hpp"
 #include "ramify/tabulate/law_request.hpp"
 #include "ramify/tabulate/law_table.hpp"
@@ -22,12 +22,7 @@ LawRequest request(const char* model, const char* statistic, std::vector<Size> s
 }
 
 std::string refusal(const LawRequest& request, const LawCost& limit) {
-  try {
-    require_computable(request, limit);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of([&] { require_computable(request, limit); });
 }
 
 /// The number behind "--n " in a message.
@@ -68,6 +63,13 @@ TEST(LawRequest, AboveTheModelsLargestSizeIsRefusedWhateverTheLimit) {
   const Size above = (Size{1} << 50) + 1;
   EXPECT_NE(refusal(request("catalan", "depth", {10, above, 20}), {unlimited, unlimited}).find("sizes up to"),
             std::string::npos);
+}
+
+TEST(LawRequest, ThatTakesMoreThanAnHourHasToBeMeant) {
+  const LawRequest depth = request("bst", "depth", {500'000});
+  EXPECT_NE(refusal(depth, {unlimited, long_law_seconds}).find("add --yes if you mean it"),
+            std::string::npos);
+  EXPECT_EQ(refusal(depth, {unlimited, unlimited}), "");
 }
 
 class LawLimit : public testing::TestWithParam<const char*> {};

@@ -23,6 +23,10 @@ TEST(BstBalance, IsNotOneOverLogThree) {
 struct Known {
   double a, b;
   double balance;
+
+  friend std::ostream& operator<<(std::ostream& out, const Known& known) {
+    return out << "beta(" << known.a << ',' << known.b << ')';
+  }
 };
 
 class KnownBalance : public testing::TestWithParam<Known> {};

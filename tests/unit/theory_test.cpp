@@ -32,6 +32,10 @@ struct Known {
   const char* name;
   double value;
   double tolerance;
+
+  friend std::ostream& operator<<(std::ostream& out, const Known& known) {
+    return out << known.name << " of " << known.model;
+  }
 };
 
 class KnownConstant : public testing::TestWithParam<Known> {};
