@@ -144,7 +144,8 @@ INSTANTIATE_TEST_SUITE_P(Exact, LawOfModel,
                                          "beta_multinomial(2,5)", "beta_multinomial(0.1,0.1)", "split(0.25)",
                                          "split(0.7)", "dst(0.23)", "dst(0.9)", "patricia(0.23)",
                                          "patricia(0.5)", "catalan", "aldous(-1.9)", "aldous(-1)",
-                                         "aldous(3)", "complete", "chain"));
+                                         "aldous(3)", "ford(0.3)", "ford(0.8)", "ford(1)", "complete",
+                                         "chain"));
 
 // The neighbours that the enumeration must tell apart: dst for patricia, nodes for streams, balance for
 // order.
@@ -185,6 +186,9 @@ void expect_same_moments(const char* one, const char* other) {
 TEST(Laws, OfAldousTreesAreThoseOfTheBstAndOfCatalan) {
   expect_same_moments("aldous(0)", "bst");
   expect_same_moments("aldous(-3/2)", "catalan");
+  expect_same_moments("ford(0)", "bst");
+  expect_same_moments("ford(1/2)", "catalan");
+  expect_same_moments("ford(1)", "chain");
 }
 
 TEST(Laws, OfBetaOneOneAreThoseOfTheBst) {
