@@ -124,7 +124,7 @@ void register_model(const std::string& text) {
 
 const bool registered = [] {
   for (const char* model : {"bst", "beta(10,10)", "beta(2,2)", "beta_multinomial(2,2)", "split(0.25)",
-                            "dst(0.23)", "patricia(0.23)", "catalan", "aldous(-1)"})
+                            "dst(0.23)", "patricia(0.23)", "catalan", "aldous(-1)", "ford(0.3)"})
     register_model(model);
   return true;
 }();

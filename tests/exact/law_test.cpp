@@ -181,6 +181,9 @@ void expect_same_moments(const char* one, const char* other) {
 TEST(Laws, OfAldousTreesAreThoseOfTheBstAndOfCatalan) {
   expect_same_moments("aldous(0)", "bst");
   expect_same_moments("aldous(-3/2)", "catalan");
+  expect_same_moments("ford(0)", "bst");
+  expect_same_moments("ford(1/2)", "catalan");
+  expect_same_moments("ford(1)", "chain");
 }
 
 TEST(Laws, OfBetaOneOneAreThoseOfTheBst) {

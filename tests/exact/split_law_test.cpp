@@ -207,6 +207,21 @@ TEST(AldousLaw, KeepsItsDigitsAtAMillion) {
   expect_same_law(split_pmf(Aldous(-1), n), harmonic, 1e-10);
 }
 
+// The reference is not scaled to sum 1.
+TEST(FordLaw, IsItsFormula) {
+  for (const double alpha : {0.0, 1e-9, 0.1, 0.3, 0.5, 0.7, 0.9, 0.9999999, 1.0})
+    for (const Size n : {1u, 2u, 3u, 10u, 128u, 1000u, 20000u}) {
+      SCOPED_TRACE(fmt::format("alpha = {}, n = {}", alpha, n));
+      expect_same_law(split_pmf(Ford(alpha), n), test::ford_law(n, alpha), 1e-11);
+    }
+}
+
+TEST(FordLaw, KeepsItsDigitsAtAMillion) {
+  constexpr Size n = 1'000'000;
+  expect_same_law(split_pmf(Ford(0.5), n), split_pmf(Catalan(), n), 1e-10);
+  expect_same_law(split_pmf(Ford(0), n), split_pmf(Bst(), n), 1e-10);
+}
+
 TEST(CompleteLaw, IsTheHeap) {
   for (const Size n : {1u, 2u, 3u, 4u, 5u, 6u, 7u, 8u, 12u, 100u, 1023u, 1024u})
     EXPECT_EQ(pmf_of("complete", n), test::complete_law(n));

@@ -34,6 +34,9 @@ TEST(SplitRows, AreTheFoldedPmf) {
                            "aldous(-1)",
                            "aldous(-0.3)",
                            "aldous(7)",
+                           "ford(0.3)",
+                           "ford(0.8)",
+                           "ford(1)",
                            "complete",
                            "chain"}) {
     const Model model = Model::parse(text);

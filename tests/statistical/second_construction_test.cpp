@@ -108,6 +108,12 @@ Builder order_statistics(std::size_t a, std::size_t b) {
 Builder urns(double a, double b) {
   return [a, b](std::size_t size, Stream& s) { return test::beta_multinomial_by_insertion(size, a, b, s); };
 }
+Builder ford_by_growth(double alpha) {
+  return [alpha](std::size_t size, Stream& s) { return test::ford_by_growth(size, alpha, s); };
+}
+test::SplitPmf ford_law(double alpha) {
+  return [alpha](Size size) { return test::ford_law(size, alpha); };
+}
 test::SplitPmf patricia_law(double p) {
   return [p](Size size) { return test::patricia_law(size, p); };
 }
@@ -122,6 +128,9 @@ std::vector<Construction> constructions() {
       {"CatalanByRemy", "catalan", test::catalan_law, test::catalan_by_remy, "bst", bst_by_insertion()},
       {"SegmentalGrowth", "catalan", test::catalan_law, test::segmental_growth, "bst",
        test::stemless_segmental_growth},
+      {"FordByGrowth", "ford(0.3)", ford_law(0.3), ford_by_growth(0.3), "ford(0.4)", ford_by_growth(0.5)},
+      {"LopsidedFordByGrowth", "ford(0.8)", ford_law(0.8), ford_by_growth(0.8), "ford(0.7)",
+       ford_by_growth(0.6)},
       {"DstByInsertion", "dst(0.23)", [](Size size) { return test::dst_law(size, 0.23); },
        dst_by_insertion(0.23), "patricia(0.23)", patricia_of_strings(0.23)},
       {"PatriciaOfStrings", "patricia(0.23)", patricia_law(0.23), patricia_of_strings(0.23), "dst(0.23)",

@@ -23,6 +23,9 @@ const std::vector<std::string>& all_models() {
                                                "aldous(-1.75)",
                                                "aldous(-1)",
                                                "aldous(2)",
+                                               "ford(0.3)",
+                                               "ford(0.8)",
+                                               "ford(1)",
                                                "complete",
                                                "chain"};
   return models;

@@ -37,6 +37,12 @@ SplitPmf aldous(double beta) {
 SplitPmf short_aldous(double beta) {
   return [=](Size n) { return short_aldous_law(n, beta); };
 }
+SplitPmf ford(double alpha) {
+  return [=](Size n) { return ford_law(n, alpha); };
+}
+SplitPmf short_ford(double alpha) {
+  return [=](Size n) { return short_ford_law(n, alpha); };
+}
 SplitPmf split(double x) {
   return [=](Size n) { return split_law(n, x); };
 }
@@ -132,6 +138,24 @@ std::vector<ModelCase> aldous_models() {
   };
 }
 
+std::vector<ModelCase> ford_models() {
+  return {
+      {"ford(0)", uniform_law, {{"alpha = 0.05", ford(0.05)}}, {{"n leaves", short_uniform_law}}},
+      {"ford(0.01)", ford(0.01), {{"alpha = 0.05", ford(0.05)}, {"bst", uniform_law}}, {}},
+      {"ford(0.3)",
+       ford(0.3),
+       {{"alpha = 0.35", ford(0.35)}, {"the first term alone", aldous(-1.3)}},
+       {{"n leaves", short_ford(0.3)}}},
+      {"ford(1/2)", catalan_law, {{"alpha = 0.55", ford(0.55)}}, {{"n leaves", short_catalan_law}}},
+      {"ford(0.8)",
+       ford(0.8),
+       {{"alpha = 0.85", ford(0.85)}},
+       {{"n leaves", short_ford(0.8)}, {"the first term alone", aldous(-1.8)}}},
+      {"ford(0.999)", ford(0.999), {}, {{"chain", chain_law}, {"alpha = 0.99", ford(0.99)}}},
+      {"ford(1)", chain_law, {{"on the left", left_chain_law}}, {}},
+  };
+}
+
 std::vector<ModelCase> extreme_shapes() {
   return {
       {"complete",
@@ -147,7 +171,8 @@ std::vector<ModelCase> extreme_shapes() {
 const std::vector<ModelCase>& model_cases() {
   static const std::vector<ModelCase> cases = [] {
     auto all = floor_models();
-    for (const auto& more : {multinomial_models(), string_models(), aldous_models(), extreme_shapes()})
+    for (const auto& more :
+         {multinomial_models(), string_models(), aldous_models(), ford_models(), extreme_shapes()})
       all.insert(all.end(), more.begin(), more.end());
     return all;
   }();

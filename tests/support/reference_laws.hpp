@@ -18,6 +18,7 @@ std::vector<double> catalan_law(Size n);
 std::vector<double> dst_law(Size n, double p);
 std::vector<double> patricia_law(Size n, double p);
 std::vector<double> aldous_law(Size n, double beta);
+std::vector<double> ford_law(Size n, double alpha);
 std::vector<double> complete_law(Size n);
 std::vector<double> chain_law(Size n);
 
@@ -41,6 +42,9 @@ std::vector<double> short_catalan_law(Size n);
 
 /// Slip: n leaves in place of n+1.
 std::vector<double> short_aldous_law(Size n, double beta);
+
+/// Slip: n leaves in place of n+1.
+std::vector<double> short_ford_law(Size n, double alpha);
 
 /// Slip: the last level filled from the right.
 std::vector<double> right_complete_law(Size n);

@@ -214,6 +214,21 @@ LinkedTree stemless_segmental_growth(std::size_t n, Stream& stream) {
   return grow_by_segments(n, 1, stream);
 }
 
+LinkedTree ford_by_growth(std::size_t n, double alpha, Stream& stream) {
+  LinkedTree tree;
+  bifurcate(tree, 0, true);
+  while (tree.nodes.size() < n) {
+    const double inner = static_cast<double>(tree.nodes.size()), leaves = inner + 1;
+    const double all = (1 - alpha) * leaves + alpha * inner;
+    const bool at_leaf = uniform_open(stream) * all < (1 - alpha) * leaves;
+    std::size_t number = 0;
+    do number = uniform_below(stream, 2 * tree.nodes.size() + 1);
+    while ((segment(tree, number) == -1) != at_leaf);
+    bifurcate(tree, number, uniform_below(stream, 2) == 0);
+  }
+  return tree;
+}
+
 LinkedTree catalan_by_remy(std::size_t n, Stream& stream) {
   // Knuth's algorithm R (TAOCP 4A, 7.2.1.6): L[0] is the root; odd numbers are internal nodes, even ones
   // external.

@@ -77,16 +77,19 @@ TEST(Model, RefusesAParameterOutOfItsDomain) {
   for (const char* text : {"beta(0,1)", "beta(1,0)", "beta(-1,1)", "beta(1,-2)", "beta_multinomial(0,1)",
                            "beta_multinomial(1,-2)"})
     EXPECT_TRUE(says(refusal(text), "must be a finite number above 0")) << text;
+  for (const char* text : {"ford(-0.1)", "ford(1.1)"})
+    EXPECT_TRUE(says(refusal(text), "must lie in [0,1]")) << text;
   for (const char* text : {"aldous(-2)", "aldous(-3)"})
     EXPECT_TRUE(says(refusal(text), "must be a finite number above -2")) << text;
-  for (const char* text : {"beta(0.01,1000)", "aldous(-1.9999999999999998)", "aldous(1e300)"})
+  for (const char* text :
+       {"beta(0.01,1000)", "aldous(-1.9999999999999998)", "aldous(1e300)", "ford(0)", "ford(1)"})
     EXPECT_EQ(refusal(text), "") << text;
 }
 
 TEST(Model, RefusesSizesItCannotDraw) {
   const Size limit = Size{1} << 50;
   for (const char* text : {"beta(2,3)", "beta_multinomial(2,3)", "split(0.3)", "dst(0.3)", "patricia(0.3)",
-                           "catalan", "aldous(-1)"}) {
+                           "catalan", "aldous(-1)", "ford(0.3)"}) {
     const Model model = Model::parse(text);
     EXPECT_EQ(model.largest_size(), limit);
     EXPECT_NO_THROW(model.require_size(limit));
@@ -148,6 +151,8 @@ TEST(SplitCharacter, SaysHowDepthsGrow) {
   EXPECT_EQ(exponent("aldous(-1.5)"), 0.5);
   EXPECT_EQ(exponent("aldous(-1.75)"), 0.75);
   EXPECT_EQ(exponent("chain"), 1);
+  EXPECT_EQ(exponent("ford(0)"), 0);
+  EXPECT_EQ(exponent("ford(0.3)"), 0.3);
 }
 
 TEST(Models, AreListedOnceEachWithTheirSource) {

@@ -92,7 +92,7 @@ INSTANTIATE_TEST_SUITE_P(Models, LawLimit,
                          testing::Values("bst", "beta(2,5)", "beta(0.01,0.01)", "beta(1e9,1e9)",
                                          "beta_multinomial(2,5)", "split(0.25)", "dst(0.3)", "patricia(1e-9)",
                                          "catalan", "aldous(-1.9)", "aldous(-1)", "aldous(-0.99)",
-                                         "aldous(2)", "complete", "chain"));
+                                         "aldous(2)", "ford(0.3)", "ford(0.8)", "complete", "chain"));
 
 TEST(LawLimit, GrowsWithEverySize) {
   for (const char* text :

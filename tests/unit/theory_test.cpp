@@ -200,7 +200,9 @@ TEST(Constants, AreListedInTheOrderOfTheTable) {
   EXPECT_EQ(names("aldous(-0.5)"), names("bst"));
   EXPECT_EQ(names("complete"),
             (Names{"depth", "height", "strahler", "horton_ratio", "fill_level", "balance"}));
-  EXPECT_EQ(names("chain"), Names{});
+  for (const char* model : {"chain", "ford(0.3)", "ford(1)"}) EXPECT_EQ(names(model), Names{}) << model;
+  EXPECT_EQ(names("ford(0)"), names("bst"));
+  EXPECT_EQ(names("ford(1/2)"), names("catalan"));
 }
 
 TEST(Constants, SaysWhereTheyComeFrom) {

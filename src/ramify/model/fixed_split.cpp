@@ -7,16 +7,16 @@
 namespace ramify {
 namespace {
 
-double checked(double x) {
+double checked_fraction(double x) {
   require_domain(FixedSplit::info(), std::array{x});
   return x;
 }
 
 }  // namespace
 
-FixedSplit::FixedSplit(double x) : x_(checked(x)), exact_(Rational::of(x)) {}
+FixedSplit::FixedSplit(double x) : x_(checked_fraction(x)), exact_(Rational::of(x)) {}
 
-FixedSplit::FixedSplit(double x, const Rational& exact) : x_(checked(x)), exact_(exact) {}
+FixedSplit::FixedSplit(double x, const Rational& exact) : x_(checked_fraction(x)), exact_(exact) {}
 
 SplitCharacter FixedSplit::character() const {
   const ConstantFraction fraction{x_, Scatter::none};

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "ramify/core/contract.hpp"
 #include "ramify/core/error.hpp"
 #include "ramify/core/number.hpp"
 #include "ramify/model/registry.hpp"
@@ -68,9 +67,14 @@ std::vector<double> read_parameters(const ModelInfo& info, const std::vector<std
   return values;
 }
 
+bool needs_fractions(const ModelInfo& info) {
+  return std::holds_alternative<FromFractions>(info.make);
+}
+
+/// The numbers as they are written, where they are needed so.
 std::vector<Rational> read_fractions(const ModelInfo& info, const std::vector<std::string>& arguments) {
   std::vector<Rational> fractions;
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
+  for (std::size_t i = 0; needs_fractions(info) && i < arguments.size(); ++i) {
     const auto fraction = Rational::parse(arguments[i]);
     if (!fraction)
       throw Error(problem_of(info, i, arguments[i]), "it is taken as written, and has more than 19 digits",
@@ -80,12 +84,10 @@ std::vector<Rational> read_fractions(const ModelInfo& info, const std::vector<st
   return fractions;
 }
 
-AnyModel read_numbers(const ModelInfo& info, const std::vector<std::string>& arguments,
-                      std::span<const double> parameters) {
-  const auto* from_fractions = std::get_if<FromFractions>(&info.make);
-  if (from_fractions == nullptr) return std::get<FromNumbers>(info.make)(parameters);
-  require_domain(info, parameters);
-  return (*from_fractions)(parameters, read_fractions(info, arguments));
+AnyModel model_of(const ModelInfo& info, std::span<const double> parameters,
+                  std::span<const Rational> exact) {
+  if (needs_fractions(info)) return std::get<FromFractions>(info.make)(parameters, exact);
+  return std::get<FromNumbers>(info.make)(parameters);
 }
 
 std::string written(const ModelInfo& info, const std::vector<std::string>& arguments) {
@@ -96,7 +98,10 @@ std::string written(const ModelInfo& info, const std::vector<std::string>& argum
 }  // namespace
 
 Model::Model(const ModelInfo& info, std::string text, std::vector<double> parameters, AnyModel kind)
-    : info_(&info), text_(std::move(text)), parameters_(std::move(parameters)), kind_(std::move(kind)) {}
+    : info_(&info),
+      text_(std::move(text)),
+      parameters_(std::move(parameters)),
+      kind_(std::make_shared<const AnyModel>(std::move(kind))) {}
 
 Model Model::parse(std::string_view text) {
   const Call call = split_call(text);
@@ -116,23 +121,21 @@ Model Model::parse(std::string_view text) {
   if (const auto* from_texts = std::get_if<FromTexts>(&info.make))
     return Model(info, written(info, arguments), {}, (*from_texts)(arguments));
   std::vector<double> parameters = read_parameters(info, arguments);
-  AnyModel kind = read_numbers(info, arguments, parameters);
+  if (needs_fractions(info)) require_domain(info, parameters);  // none of these is a fraction
+  AnyModel kind = model_of(info, parameters, read_fractions(info, arguments));
   return Model(info, written(info, arguments), std::move(parameters), std::move(kind));
 }
 
 Model Model::make(const ModelInfo& info, std::span<const double> parameters) {
-  RAMIFY_EXPECTS(parameters.size() == info.parameters.size());
   require_domain(info, parameters);
   std::vector<std::string> arguments;
   std::vector<Rational> exact;
-  for (const double value : parameters) arguments.push_back(format_exact(value));
-  if (const auto* from_fractions = std::get_if<FromFractions>(&info.make)) {
-    for (const double value : parameters) exact.push_back(Rational::of(value));
-    return Model(info, written(info, arguments), {parameters.begin(), parameters.end()},
-                 (*from_fractions)(parameters, exact));
+  for (const double value : parameters) {
+    arguments.push_back(format_exact(value));
+    if (needs_fractions(info)) exact.push_back(Rational::of(value));
   }
   return Model(info, written(info, arguments), {parameters.begin(), parameters.end()},
-               std::get<FromNumbers>(info.make)(parameters));
+               model_of(info, parameters, exact));
 }
 
 SplitCharacter Model::character() const {

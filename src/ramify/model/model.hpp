@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -10,7 +11,8 @@
 
 namespace ramify {
 
-/// A model with its parameters, as written on a command line or in a config, or made of numbers.
+/// A model with its parameters, as written on a command line or in a config, or made of numbers. Copies share
+/// what it is.
 class Model {
  public:
   /// "bst", "beta(10,80)", "patricia(1/4.35)", "node_beta(d,max(d,2))"; white space around each part is
@@ -32,12 +34,12 @@ class Model {
   const std::vector<double>& parameters() const { return parameters_; }
 
   /// False of a tree that is grown whole: no exact law is known, nothing is grafted.
-  bool is_split() const { return std::holds_alternative<AnySplitLaw>(kind_); }
+  bool is_split() const { return std::holds_alternative<AnySplitLaw>(*kind_); }
   /// Of a split model.
-  const AnySplitLaw& law() const { return std::get<AnySplitLaw>(kind_); }
+  const AnySplitLaw& law() const { return std::get<AnySplitLaw>(*kind_); }
   SplitCharacter character() const;
   /// Of any other.
-  const GrownModel& grown() const { return *std::get<std::shared_ptr<const GrownModel>>(kind_); }
+  const GrownModel& grown() const { return *std::get<std::shared_ptr<const GrownModel>>(*kind_); }
 
   /// n counts the internal nodes of a tree.
   bool counts_internal_nodes() const { return info_->n_counts == internal_nodes; }
@@ -64,7 +66,7 @@ class Model {
   const ModelInfo* info_;
   std::string text_;
   std::vector<double> parameters_;
-  AnyModel kind_;
+  std::shared_ptr<const AnyModel> kind_;
 };
 
 }  // namespace ramify

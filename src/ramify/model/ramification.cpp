@@ -32,7 +32,7 @@ std::vector<double> expected_internal(const RamificationMatrix& matrix) {
   return expected;
 }
 
-AnyModel model_of(const RamificationMatrix& matrix, std::string_view name) {
+AnyModel grown_from(const RamificationMatrix& matrix, std::string_view name) {
   return grown_model(Ramification(matrix, name));
 }
 
@@ -59,7 +59,7 @@ const ModelInfo& ramification_info() {
       .description = "tree grown from a ramification matrix",
       .source = "A17; Viennot et al. 1989; docs/own-models.md",
       .make = [](const std::filesystem::path& path) -> AnyModel {
-        return model_of(read_ramification_matrix(path), path.string());
+        return grown_from(read_ramification_matrix(path), path.string());
       },
       .is_split = false};
   return info;
@@ -74,7 +74,7 @@ const ModelInfo& tokunaga_info() {
       .source = "Tokunaga 1978; Kovchegov and Zaliapin 2018",
       .make = [](std::span<const double> v) -> AnyModel {
         require_domain(tokunaga_info(), v);
-        return model_of(tokunaga_matrix(v[0], v[1]), tokunaga_info().signature());
+        return grown_from(tokunaga_matrix(v[0], v[1]), tokunaga_info().signature());
       },
       .is_split = false};
   return info;
@@ -91,7 +91,7 @@ const ModelInfo& markov_info() {
           "out",
       .source = "A19; Le Mehaute 1991; docs/own-models.md",
       .make = [](const std::filesystem::path& path) -> AnyModel {
-        return model_of(read_markov_chain(path), path.string());
+        return grown_from(read_markov_chain(path), path.string());
       },
       .is_split = false};
   return info;
@@ -106,8 +106,8 @@ const ModelInfo& hybrid_info() {
       .description = "ramification matrix with rows of two others",
       .source = "A18; Kruszewski 1996, 4.2.4",
       .make = [](std::span<const std::string> v) -> AnyModel {
-        return model_of(hybrid_matrix(read_ramification_matrix(v[0]), read_ramification_matrix(v[1]), v[2]),
-                        v[2]);
+        return grown_from(hybrid_matrix(read_ramification_matrix(v[0]), read_ramification_matrix(v[1]), v[2]),
+                          v[2]);
       },
       .is_split = false};
   return info;

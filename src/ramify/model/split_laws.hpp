@@ -11,6 +11,7 @@
 #include "ramify/model/complete.hpp"
 #include "ramify/model/dst.hpp"
 #include "ramify/model/fixed_split.hpp"
+#include "ramify/model/ford.hpp"
 #include "ramify/model/patricia.hpp"
 #include "ramify/model/tabulated_split.hpp"
 
@@ -18,7 +19,7 @@ namespace ramify {
 
 /// The split law of any model, in the order they are listed; std::visit gives the concrete type, so nothing
 /// is virtual for each node.
-using AnySplitLaw = std::variant<Bst, Beta, BetaMultinomial, FixedSplit, Dst, Patricia, Catalan, Aldous,
+using AnySplitLaw = std::variant<Bst, Beta, BetaMultinomial, FixedSplit, Dst, Patricia, Catalan, Aldous, Ford,
                                  Complete, Chain, TabulatedSplit>;
 
 }  // namespace ramify

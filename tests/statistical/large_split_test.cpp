@@ -1,5 +1,5 @@
-// The splits of large aldous trees, far above the sizes whose Gamma functions fit into a double: against
-// closed forms, and what a draw costs.
+// The splits of large aldous and ford trees, far above the sizes whose Gamma functions fit into a double:
+// against closed forms, and what a draw costs.
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +16,7 @@
 
 #include "ramify/model/aldous.hpp"
 #include "ramify/model/catalan.hpp"
+#include "ramify/model/ford.hpp"
 #include "ramify/random/stream.hpp"
 
 namespace ramify {
@@ -74,7 +75,8 @@ std::vector<double> cell_law(Size n, const Below& below) {
   return both;
 }
 
-std::vector<std::uint64_t> count_cells(const Aldous& law, Size n, const std::string& tag) {
+template <class Law>
+std::vector<std::uint64_t> count_cells(const Law& law, Size n, const std::string& tag) {
   const auto ends = cell_ends(n);
   const auto cell = [&ends](Size i) {
     return static_cast<std::size_t>(std::upper_bound(ends.begin(), ends.end(), i) - ends.begin());
@@ -122,6 +124,60 @@ TEST(AldousSplits, AreThePmfAtAMillion) {
   }
 }
 
+void expect_ford(double alpha, Size n, const Below& below) {
+  const auto law = cell_law(n, below);
+  const auto what = fmt::format("ford({}) at n = {}", alpha, n);
+  EXPECT_TRUE(test::agrees(test::chi_square(what, count_cells(Ford(alpha), n, what), law)));
+  const double wrong = alpha < 0.5 ? alpha + 0.03 : alpha - 0.03;
+  const auto slip = fmt::format("ford({}) for ford({}) at n = {}", wrong, alpha, n);
+  EXPECT_TRUE(test::rejected(test::chi_square(slip, count_cells(Ford(wrong), n, slip), law)));
+}
+
+TEST_P(AldousSplit, IsAlsoFordsAtItsEnds) {
+  expect_ford(0, GetParam(), below_uniform);
+  expect_ford(0.5, GetParam(), below_catalan);
+}
+
+TEST(FordSplits, AreThePmfAtAMillion) {
+  constexpr Size n = 1'000'000;
+  for (const double alpha : {0.01, 0.2, 0.4, 0.49, 0.51, 0.7, 0.95}) {
+    const auto pmf = split_pmf(Ford(alpha), n);
+    std::vector<double> sums{0};
+    for (Size i = 0; i < n / 2; ++i) sums.push_back(sums.back() + pmf[i]);
+    expect_ford(alpha, n, [&sums](Size, Size k) { return sums[k]; });
+  }
+}
+
+/// P(left = 0) and P(left = 1) in closed form, one node or two.
+std::vector<double> ford_end_law(double alpha, Size n) {
+  const double m = static_cast<double>(n) + 1;
+  const double none = (alpha * m / 2 + 1 - 2 * alpha) / (m - 1 - alpha);
+  const double one =
+      (1 - alpha) / (m - 1 - alpha) * (alpha / 4 * m * (m - 1) + (1 - 2 * alpha) * (m - 2)) / (m - 2 - alpha);
+  return {none, one, 1 - 2 * none - 2 * one, one, none};
+}
+
+std::vector<std::uint64_t> count_ends(const Ford& law, Size n, const std::string& tag) {
+  std::vector<std::uint64_t> counts(5, 0);
+  Stream stream({test::seed_of(tag), n}, 0);
+  for (std::uint64_t i = 0; i < draws; ++i) {
+    const Size left = law.left(n, stream);
+    ++counts[left < 2 ? left : n - 1 - left < 2 ? 4 - (n - 1 - left) : 2];
+  }
+  return counts;
+}
+
+TEST(FordSplits, HaveTheEndsOfTheFormulaAtEverySize) {
+  for (const double alpha : {0.1, 0.3, 0.6, 0.9})
+    for (const Size n : {Size{200}, Size{1'000'000'000}, Size{1} << 50}) {
+      const auto law = ford_end_law(alpha, n);
+      const auto what = fmt::format("ends of ford({}) at n = {}", alpha, n);
+      EXPECT_TRUE(test::agrees(test::chi_square(what, count_ends(Ford(alpha), n, what), law)));
+      const auto slip = what + ", slip";
+      EXPECT_TRUE(test::rejected(test::chi_square(slip, count_ends(Ford(alpha + 0.02), n, slip), law)));
+    }
+}
+
 /// A stream that counts the words taken.
 struct CountingStream {
   using result_type = Stream::result_type;
@@ -152,7 +208,7 @@ TEST(InnerFraction, AcceptsMostOfItsTries) {
 }
 
 // Whatever beta and n, a draw takes a bounded number of words on average.
-TEST(AldousSplits, TakeFewWords) {
+TEST(LargeSplits, TakeFewWords) {
   constexpr std::uint64_t splits = 20000;
   double most = 0;
   for (const double beta : {-1.9999999999999998, -1.9, -1.5, -1.0, -0.5, -1e-9, 0.0, 1.0, 1e3, 1e300})
@@ -162,6 +218,14 @@ TEST(AldousSplits, TakeFewWords) {
       most = std::max(most, static_cast<double>(stream.words) / static_cast<double>(splits));
     }
   EXPECT_LT(most, 16);
+  for (const double alpha : {0.0, 1e-9, 0.3, 0.5, 0.6, 0.9999999, 1.0})
+    for (const Size n : {Size{2}, Size{129}, Size{1000000}, Size{1} << 50}) {
+      CountingStream stream{Stream({test::seed_of("words of a ford split"), n}, 0)};
+      for (std::uint64_t i = 0; i < splits; ++i) Ford(alpha).left(n, stream);
+      most = std::max(most, static_cast<double>(stream.words) / static_cast<double>(splits));
+    }
+  // Up to three tries of two or three draws each.
+  EXPECT_LT(most, 32);
   fmt::print("most words a split {:.1f}\n", most);
 }
 
