@@ -59,9 +59,9 @@ struct ExactMean {
   std::uint64_t trees = 6000;
 };
 
-class ExactMeans : public ::testing::TestWithParam<ExactMean> {};
+class KnownMeans : public ::testing::TestWithParam<ExactMean> {};
 
-TEST_P(ExactMeans, AreReachedAndTellSlipsApart) {
+TEST_P(KnownMeans, AreReachedAndTellSlipsApart) {
   const auto& [name, model, n, read, exact, wrong, trees] = GetParam();
   EXPECT_TRUE(test::agrees(test::z_test(name, sample(grower_of_model(model), n, trees, name, read), exact)));
   EXPECT_TRUE(
@@ -106,17 +106,17 @@ std::vector<ExactMean> exact_means() {
   };
 }
 
-INSTANTIATE_TEST_SUITE_P(Issue, ExactMeans, ::testing::ValuesIn(exact_means()),
+INSTANTIATE_TEST_SUITE_P(Issue, KnownMeans, ::testing::ValuesIn(exact_means()),
                          [](const auto& instance) { return instance.param.name; });
 
 /// Means of every order's counts of streams, beside nodes.
-struct OrderMeans {
+struct SampledMeans {
   std::vector<test::SampleMean> streams;
   std::vector<test::SampleMean> nodes;
 };
 
-OrderMeans order_means(const std::string& model, Size n, std::size_t orders, std::uint64_t trees) {
-  OrderMeans means{std::vector<test::SampleMean>(orders), std::vector<test::SampleMean>(orders)};
+SampledMeans order_means(const std::string& model, Size n, std::size_t orders, std::uint64_t trees) {
+  SampledMeans means{std::vector<test::SampleMean>(orders), std::vector<test::SampleMean>(orders)};
   grower_of_model(model)(n, trees, test::seed_of("counts of " + model), [&](const TreeMeasures& m) {
     for (std::size_t k = 0; k < orders; ++k) {
       means.streams[k].add(static_cast<double>(m.streams[k]));

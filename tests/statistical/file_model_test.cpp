@@ -11,13 +11,13 @@
 namespace ramify {
 namespace {
 
-constexpr Size n = 200;
+constexpr Size table_size = 200;
 
 test::Tally tally(const Model& model, const std::string& tag) {
   test::Tally tally;
   std::visit(
       [&](const auto& law) {
-        test::grow_and_measure(law, n, 20000, test::seed_of(tag),
+        test::grow_and_measure(law, table_size, 20000, test::seed_of(tag),
                                [&](const TreeMeasures& m) { ++tally[{m.strahler, m.height}]; });
       },
       model.law());
@@ -28,8 +28,8 @@ class FileModel : public testing::TestWithParam<const char*> {};
 
 TEST_P(FileModel, GrowsTheTreesOfTheModelItHolds) {
   const Model model = Model::parse(GetParam());
-  const test::SplitTableFile file(test::split_table_of(model, n)),
-      near(test::split_table_of(Model::parse("beta(1.2,1.2)"), n));
+  const test::SplitTableFile file(test::split_table_of(model, table_size)),
+      near(test::split_table_of(Model::parse("beta(1.2,1.2)"), table_size));
   const auto trees = tally(model, model.text());
   EXPECT_TRUE(
       test::agrees(test::two_samples(model.text() + " and file", tally(file.model(), "file"), trees)));
@@ -39,10 +39,10 @@ TEST_P(FileModel, GrowsTheTreesOfTheModelItHolds) {
 
 TEST_P(FileModel, SplitsAsItsTableSays) {
   const Model model = Model::parse(GetParam());
-  const test::SplitTableFile file(test::split_table_of(model, n));
-  const auto counts = test::count_splits(file.model().text(), n, 400000, test::seed_of("splits of a file"),
-                                         test::default_tables);
-  const auto pmf = std::visit([](const auto& law) { return split_pmf(law, n); }, model.law());
+  const test::SplitTableFile file(test::split_table_of(model, table_size));
+  const auto counts = test::count_splits(file.model().text(), table_size, 400000,
+                                         test::seed_of("splits of a file"), test::default_tables);
+  const auto pmf = std::visit([](const auto& law) { return split_pmf(law, table_size); }, model.law());
   EXPECT_TRUE(test::agrees(test::chi_square(model.text() + " from a file", counts, pmf)));
 }
 

@@ -13,6 +13,7 @@
 #include "support/growing.hpp"
 #include "support/seed.hpp"
 #include "support/split_table_file.hpp"
+#include "support/uninterrupted.hpp"
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -32,11 +33,10 @@ namespace ramify {
 namespace {
 
 using Look = std::function<void(const TreeMeasures&)>;
-const Cancellation never;
 
 void sample(const Model& model, SamplingMethod method, Size n, std::uint64_t trees, const std::string& tag,
             const Look& look) {
-  const auto sampler = make_tree_sampler({model, method, n, &never});
+  const auto sampler = make_tree_sampler({model, method, n, &test::uninterrupted});
   const StreamKey key{test::seed_of(tag), model.stream_cell(n)};
   TreeMeasures measures;
   for (std::uint64_t replicate = 0; replicate < trees; ++replicate) {
@@ -259,7 +259,7 @@ test::Tally grow_on(const std::string& text, const OrderTable* table, const std:
   std::visit(
       [&]<class Law>(const Law& law) {
         const SplitTree<Law> grammar(law);
-        Grower<SplitTree<Law>, HortonStrahler, Stream> grower(never);
+        Grower<SplitTree<Law>, HortonStrahler, Stream> grower(test::uninterrupted);
         for (std::uint64_t replicate = 0; replicate < 40'000; ++replicate) {
           Stream stream({test::seed_of(tag), n}, replicate);
           HortonStrahler fold;

@@ -9,6 +9,7 @@
 #include "support/seed.hpp"
 #include "support/shape.hpp"
 #include "support/shape_counts.hpp"
+#include "support/uninterrupted.hpp"
 #include "support/word_law.hpp"
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -26,8 +27,6 @@ using test::binomial;
 using test::side_by_side;
 using test::WordLaw;
 using test::words_against;
-
-const Cancellation never;
 
 WordLaw trie_law(unsigned strings, double p) {
   if (strings < 2) return {{"E", 1.0}};
@@ -113,7 +112,7 @@ TEST(Trie, ContractedHasThePatriciaShapes) {
     const auto shapes = test::all_shapes(n);
     const auto counts = test::count_shapes(shapes, 60'000, [&](std::uint64_t replicate) {
       Stream stream({test::seed_of("contracted tries"), n}, replicate);
-      const Tree tree = trie.grown().grow(n + 1, stream, never);
+      const Tree tree = trie.grown().grow(n + 1, stream, test::uninterrupted);
       std::vector<std::uint32_t> arity(tree.arities().begin(), tree.arities().end());
       std::erase(arity, 1u);
       return to_parentheses(Tree(arity));
@@ -133,7 +132,7 @@ TEST(Trie, HasTheOrdersOfPatriciaTrees) {
   constexpr Size strings = 300;
   const Model trie = Model::parse("trie(0.23)");
   const auto law = build_law(Model::parse("patricia(0.23)"), strings, StrahlerLaw(strings));
-  const auto sampler = make_tree_sampler({trie, grow_all, strings, &never});
+  const auto sampler = make_tree_sampler({trie, grow_all, strings, &test::uninterrupted});
   std::vector<std::uint64_t> orders(10, 0);
   TreeMeasures measures;
   for (std::uint64_t replicate = 0; replicate < 20'000; ++replicate) {
@@ -166,7 +165,7 @@ class GrownModels : public testing::TestWithParam<KnownMean> {};
 TEST_P(GrownModels, HaveTheirKnownMeans) {
   const KnownMean& known = GetParam();
   const Model model = Model::parse(known.model);
-  const auto sampler = make_tree_sampler({model, grow_all, known.n, &never});
+  const auto sampler = make_tree_sampler({model, grow_all, known.n, &test::uninterrupted});
   test::SampleMean mean;
   TreeMeasures measures;
   for (std::uint64_t replicate = 0; replicate < known.trees; ++replicate) {
@@ -176,10 +175,10 @@ TEST_P(GrownModels, HaveTheirKnownMeans) {
   EXPECT_TRUE(test::agrees(test::z_test(fmt::format("{} {}", known.model, known.what), mean, known.mean)));
 }
 
-double order(const TreeMeasures& m) {
+double strahler_of(const TreeMeasures& m) {
   return m.strahler;
 }
-double size(const TreeMeasures& m) {
+double size_of(const TreeMeasures& m) {
   return static_cast<double>(m.size);
 }
 template <std::size_t k>
@@ -191,13 +190,14 @@ double streams(const TreeMeasures& m) {
 
 // A22: exact, n = 1000. A17: exact, root order 6 of leaf order 1. tokunaga(1,2): given order K of leaf order
 // 1 a critical Galton-Watson tree has (2 4^(K-1) + 1)/3 leaves.
-INSTANTIATE_TEST_SUITE_P(Catalogue, GrownModels,
-                         testing::Values(KnownMean{"ternary(1/4.8)", 1000, 5'000, "order", order, 5.500746},
-                                         KnownMean{RAMIFY_A17, 5, 20'000, "internal nodes", size, 211.67030},
-                                         KnownMean{RAMIFY_A17, 5, 20'000, "streams 1", streams<1>, 74.7303},
-                                         KnownMean{RAMIFY_A17, 5, 20'000, "streams 4", streams<4>, 2.92308},
-                                         KnownMean{"tokunaga(1,2)", 4, 20'000, "leaves", streams<0>, 171}),
-                         [](const auto& instance) { return fmt::format("Case{}", instance.index); });
+INSTANTIATE_TEST_SUITE_P(
+    Catalogue, GrownModels,
+    testing::Values(KnownMean{"ternary(1/4.8)", 1000, 5'000, "order", strahler_of, 5.500746},
+                    KnownMean{RAMIFY_A17, 5, 20'000, "internal nodes", size_of, 211.67030},
+                    KnownMean{RAMIFY_A17, 5, 20'000, "streams 1", streams<1>, 74.7303},
+                    KnownMean{RAMIFY_A17, 5, 20'000, "streams 4", streams<4>, 2.92308},
+                    KnownMean{"tokunaga(1,2)", 4, 20'000, "leaves", streams<0>, 171}),
+    [](const auto& instance) { return fmt::format("Case{}", instance.index); });
 
 }  // namespace
 }  // namespace ramify

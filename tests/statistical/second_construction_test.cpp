@@ -17,8 +17,8 @@
 namespace ramify {
 namespace {
 
-constexpr std::size_t n = 50;
-constexpr std::uint64_t trees = 40000;
+constexpr std::size_t built_size = 50;
+constexpr std::uint64_t built_trees = 40000;
 
 using Builder = std::function<test::LinkedTree(std::size_t n, Stream&)>;
 
@@ -34,10 +34,10 @@ struct Construction {
 /// (order, height) of trees built the other way.
 test::Tally tally_built(const Builder& build, std::uint64_t seed) {
   test::Tally tally;
-  for (std::uint64_t replicate = 0; replicate < trees; ++replicate) {
+  for (std::uint64_t replicate = 0; replicate < built_trees; ++replicate) {
     Stream stream({seed, 0}, replicate);
-    const auto tree = build(n, stream);
-    EXPECT_EQ(tree.nodes.size(), n);
+    const auto tree = build(built_size, stream);
+    EXPECT_EQ(tree.nodes.size(), built_size);
     const auto [order, height] = test::order_and_height(tree);
     ++tally[{order, height}];
   }
@@ -49,7 +49,7 @@ test::Tally tally_grown(const std::string& model, std::uint64_t seed) {
   test::Tally tally;
   std::visit(
       [&](const auto& law) {
-        test::grow_and_measure(law, n, trees, seed,
+        test::grow_and_measure(law, built_size, built_trees, seed,
                                [&](const TreeMeasures& m) { ++tally[{m.strahler, m.height}]; });
       },
       Model::parse(model).law());

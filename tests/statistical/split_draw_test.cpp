@@ -8,15 +8,15 @@
 namespace ramify {
 namespace {
 
-constexpr std::uint64_t draws = 400000;
-constexpr double coarse = static_cast<double>(draws) / 64;  // cells that see a shift of the whole law
+constexpr std::uint64_t split_draws = 400000;
+constexpr double coarse = static_cast<double>(split_draws) / 64;  // cells that see a shift of the whole law
 
 class SplitDraw : public ::testing::TestWithParam<test::ModelCase> {
  protected:
   void check(Size n, Size table_size) {
     const auto& model = GetParam();
-    const auto counts =
-        test::count_splits(model.model, n, draws, test::seed_of("splits of " + model.model), table_size);
+    const auto counts = test::count_splits(model.model, n, split_draws,
+                                           test::seed_of("splits of " + model.model), table_size);
     const auto what = fmt::format("{}, left of n = {}{}", model.model, n, n <= table_size ? ", table" : "");
     const auto law = model.law(n);
     EXPECT_TRUE(test::agrees(test::chi_square(what + ", fine", counts, law)));

@@ -10,6 +10,7 @@
 #include "support/goodness.hpp"
 #include "support/seed.hpp"
 #include "support/shape.hpp"
+#include "support/uninterrupted.hpp"
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -19,8 +20,6 @@
 
 namespace ramify {
 namespace {
-
-const Cancellation never;
 
 Tree tree_of(const Model& model, Size n, std::uint64_t replicate) {
   return std::visit(
@@ -36,7 +35,8 @@ std::map<std::string, double> rejections(const Model& grown, const Model& model,
   std::map<std::string, double> rejected;
   for (std::uint64_t replicate = 0; replicate < trees; ++replicate) {
     const Simulation simulation{test::seed_of("simulated") + replicate, 99, 1};
-    for (const auto& row : TreeComparison(model, simulation, never)(tree_of(grown, 60, replicate), "tree"))
+    for (const auto& row :
+         TreeComparison(model, simulation, test::uninterrupted)(tree_of(grown, 60, replicate), "tree"))
       rejected[row.name] += row.p_value <= 0.05 ? 1 : 0;
   }
   return rejected;
@@ -67,7 +67,7 @@ TEST(TreeComparison, RejectsTreesOfAnotherModel) {
 
 TEST(TreeComparison, GivesAChainItsNumbers) {
   const Tree chain = from_parentheses(test::to_word(test::right_chain(40)));
-  const auto rows = TreeComparison(Model::parse("bst"), {1, 999, 2}, never)(chain, "tree");
+  const auto rows = TreeComparison(Model::parse("bst"), {1, 999, 2}, test::uninterrupted)(chain, "tree");
   ASSERT_EQ(rows.size(), 10u);
   for (const auto& row : rows) {
     EXPECT_GE(row.adjusted_p, row.p_value);
@@ -86,8 +86,9 @@ TEST(TreeComparison, GivesAChainItsNumbers) {
 
 TEST(TreeComparison, DoesNotDependOnTheThreads) {
   const Tree tree = tree_of(Model::parse("bst"), 200, 1);
-  const auto one = TreeComparison(Model::parse("beta(2,2)"), {1, 199, 1}, never)(tree, "tree");
-  const auto three = TreeComparison(Model::parse("beta(2,2)"), {1, 199, 3}, never)(tree, "tree");
+  const auto one = TreeComparison(Model::parse("beta(2,2)"), {1, 199, 1}, test::uninterrupted)(tree, "tree");
+  const auto three =
+      TreeComparison(Model::parse("beta(2,2)"), {1, 199, 3}, test::uninterrupted)(tree, "tree");
   for (std::size_t i = 0; i < one.size(); ++i) {
     EXPECT_EQ(one[i].p_value, three[i].p_value);
     EXPECT_EQ(one[i].expected, three[i].expected);
@@ -95,8 +96,9 @@ TEST(TreeComparison, DoesNotDependOnTheThreads) {
 }
 
 std::string refusal(const char* word, const char* model) {
-  return test::error_of(
-      [&] { TreeComparison(Model::parse(model), {1, 99, 1}, never)(from_parentheses(word), "my.txt:3"); });
+  return test::error_of([&] {
+    TreeComparison(Model::parse(model), {1, 99, 1}, test::uninterrupted)(from_parentheses(word), "my.txt:3");
+  });
 }
 
 TEST(TreeComparison, RefusesWhatCannotBeCompared) {

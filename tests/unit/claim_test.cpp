@@ -110,21 +110,23 @@ RunConfig config_of(const std::string& claim, const std::string& model, const st
                           "c.toml");
 }
 
-std::string refusal(const RunConfig& config) {
+std::string config_refusal(const RunConfig& config) {
   return test::error_of([&] { served_claims(config); });
 }
 
 TEST(ServedClaims, AreThoseOfWhichNothingIsMissing) {
-  EXPECT_EQ(refusal(config_of("C20", "bst", "strahler")), "");
-  EXPECT_EQ(refusal(config_of("C20", "bst", "height")),
+  EXPECT_EQ(config_refusal(config_of("C20", "bst", "strahler")), "");
+  EXPECT_EQ(config_refusal(config_of("C20", "bst", "height")),
             "c.toml: claim C20 without 'strahler' (it is judged by that statistic): add it to statistics");
-  EXPECT_EQ(refusal(config_of("C20", "catalan", "strahler")),
+  EXPECT_EQ(config_refusal(config_of("C20", "catalan", "strahler")),
             "c.toml: claim C20 with model catalan (it speaks of random binary search trees, bst): take the "
             "model, or the claim, out of the config");
-  EXPECT_EQ(refusal(config_of("C22", "catalan", "strahler", 3)),
+  EXPECT_EQ(config_refusal(config_of("C22", "catalan", "strahler", 3)),
             "c.toml: claim C22 with 3 sizes of catalan (it is judged over 4 or more): add sizes to n");
-  EXPECT_EQ(refusal(config_of("C6", "catalan", "depth")).substr(0, 33), "c.toml: claim C6 with model catal");
-  EXPECT_EQ(refusal(config_of("C7", "trie(0.3)", "height")).substr(0, 27), "c.toml: claim C7 with model");
+  EXPECT_EQ(config_refusal(config_of("C6", "catalan", "depth")).substr(0, 33),
+            "c.toml: claim C6 with model catal");
+  EXPECT_EQ(config_refusal(config_of("C7", "trie(0.3)", "height")).substr(0, 27),
+            "c.toml: claim C7 with model");
 }
 
 /// The cells of a config as a run would have them.

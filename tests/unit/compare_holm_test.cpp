@@ -7,9 +7,9 @@
 namespace ramify {
 namespace {
 
-using Values = std::vector<double>;
+using PValues = std::vector<double>;
 
-void expect_near(const Values& a, const Values& b) {
+void expect_near(const PValues& a, const PValues& b) {
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(a[i], b[i], 1e-15);
 }

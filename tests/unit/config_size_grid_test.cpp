@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "ramify/core/error.hpp"
 #include "ramify/config/replicate_rule.hpp"
 #include "ramify/config/size_grid.hpp"
+#include "ramify/core/error.hpp"
 
 namespace ramify {
 namespace {

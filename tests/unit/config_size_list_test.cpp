@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "ramify/core/error.hpp"
 #include "ramify/config/size_list.hpp"
+#include "ramify/core/error.hpp"
 
 namespace ramify {
 namespace {

@@ -10,12 +10,12 @@
 namespace ramify {
 namespace {
 
-std::string refusal(std::string_view text) {
+std::string data_refusal(std::string_view text) {
   return test::error_of([&] { parse_ratio_data(text, "x.csv"); });
 }
 
 void expect_refused(std::string_view text, std::string_view place, std::string_view word) {
-  const std::string message = refusal(text);
+  const std::string message = data_refusal(text);
   EXPECT_TRUE(message.starts_with(place)) << "'" << message << "' for\n" << text;
   EXPECT_NE(message.find(word), std::string::npos) << message;
   EXPECT_EQ(message.find('\n'), std::string::npos) << message;

@@ -6,9 +6,9 @@
 #include <zlib.h>
 
 #include "ramify/core/error.hpp"
-#include "ramify/tree/contract_unary.hpp"
 #include "ramify/format/gunzip.hpp"
 #include "ramify/statistic/horton_strahler.hpp"
+#include "ramify/tree/contract_unary.hpp"
 #include "ramify/tree/measure.hpp"
 #include "ramify/tree/parenthesis_word.hpp"
 
@@ -131,14 +131,14 @@ std::vector<std::uint64_t> streams_of(RecordedTree tree) {
   return {counts.begin(), counts.begin() + top + 1};
 }
 
-struct Known {
+struct KnownFormat {
   const char* file;
   std::vector<std::uint64_t> streams;
 };
 
 TEST(MeasuredTrees, HaveTheirKnownStreams) {
   RAMIFY_NEEDS_SHARED_FILES();
-  const std::vector<Known> known{
+  const std::vector<KnownFormat> known{
       {"walnut_branches.csv", {1868, 596, 182, 50, 16, 6, 1}},
       {"apple_braeburn_branches.csv", {279, 52, 7, 1}},
       {"airway_human_ct.swc", {83, 31, 12, 4, 2, 1}},

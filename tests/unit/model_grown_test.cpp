@@ -4,6 +4,7 @@
 #include <string>
 
 #include "support/error_of.hpp"
+#include "support/uninterrupted.hpp"
 #include <gtest/gtest.h>
 
 #include "ramify/model/ramification.hpp"
@@ -13,13 +14,11 @@
 namespace ramify {
 namespace {
 
-const Cancellation never;
-
 std::string word_of(const char* text, Size n) {
   const Model model = Model::parse(text);
   model.require_size(n);
   Stream stream({1, 2}, 3);
-  return to_parentheses(model.grown().grow(n, stream, never));
+  return to_parentheses(model.grown().grow(n, stream, test::uninterrupted));
 }
 
 std::string refused_model(const char* text, Size n = 1) {

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "support/uninterrupted.hpp"
 #include <gtest/gtest.h>
 
 #include "ramify/model/labelled_tree.hpp"
@@ -13,11 +14,9 @@
 namespace ramify {
 namespace {
 
-const Cancellation never;
-
 LabelledTree grown(const Model& model, Size n) {
   Stream stream({1, 2}, 3);
-  return grow_labelled(model, n, stream, never);
+  return grow_labelled(model, n, stream, test::uninterrupted);
 }
 
 /// Whether combine(labels of the children) is the label of every node that has some.
@@ -63,7 +62,7 @@ TEST(LabelledTree, IsTheTreeWithoutLabels) {
   for (const char* text : {"ternary(0.2)", "galton_watson(0.3,0.4,0.3)"}) {
     const Model model = Model::parse(text);
     Stream stream({1, 2}, 3);
-    EXPECT_EQ(grown(model, 100).tree, model.grown().grow(100, stream, never)) << text;
+    EXPECT_EQ(grown(model, 100).tree, model.grown().grow(100, stream, test::uninterrupted)) << text;
   }
   Stream stream({1, 2}, 3);
   EXPECT_EQ(grown(Model::parse("catalan"), 100).tree, grow_tree(SplitTree<Catalan>(Catalan()), 100, stream));

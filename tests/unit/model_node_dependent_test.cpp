@@ -35,13 +35,13 @@ TEST(Formula, CopiesDoNotShareTheirNode) {
   EXPECT_EQ(first({1, 2, 1}), 3);
 }
 
-std::string refusal(const std::string& text, Size n = 100) {
+std::string formula_refusal(const std::string& text, Size n = 100) {
   return test::error_of([&] { Model::parse(text).require_size(n); });
 }
 
 TEST(NodeDependent, SaysWhatIsWrongWithAFormula) {
   const auto says = [](const std::string& text, const char* part) {
-    EXPECT_NE(refusal(text).find(part), std::string::npos) << refusal(text);
+    EXPECT_NE(formula_refusal(text).find(part), std::string::npos) << formula_refusal(text);
   };
   says("node_beta(d+,1)", "node_beta: A = 'd+' (Unexpected end");
   says("node_beta(1,x)", "node_beta: B = 'x' (Unexpected token");
@@ -53,18 +53,18 @@ TEST(NodeDependent, SaysWhatIsWrongWithAFormula) {
   says("node_dst(size=3 ? 0.1 : 0.2)", "'=' would assign");
   for (const char* text : {"node_dst(size==3 ? 0.1 : 0.2)", "node_dst(size>=3 && d<=4 && d!=2 ? 0.1 : 0.2)",
                            "node_beta( d , max(d, 2) )"})
-    EXPECT_EQ(refusal(text), "") << text;
+    EXPECT_EQ(formula_refusal(text), "") << text;
 }
 
 TEST(NodeDependent, SaysWhereAFormulaLeavesItsDomain) {
-  EXPECT_NE(refusal("node_beta(d-1,1)").find("A = 'd-1' is 0 at d = 1, size = 100, n = 100"),
+  EXPECT_NE(formula_refusal("node_beta(d-1,1)").find("A = 'd-1' is 0 at d = 1, size = 100, n = 100"),
             std::string::npos);
-  EXPECT_NE(refusal("node_beta(5-d,1)").find("is 0 at d = 5"), std::string::npos);
-  EXPECT_NE(refusal("node_beta(1/(size-2),1)").find("is inf at d = 2, size = 2"), std::string::npos);
-  EXPECT_NE(refusal("node_dst(d/10)").find("is 1 at d = 10"), std::string::npos);
-  EXPECT_NE(refusal("node_ternary(0.3+d/100)").find("(0,1/3]"), std::string::npos);
-  EXPECT_EQ(refusal("node_beta(1/(size-1),1)"), "");  // size 1 leaves no choice
-  EXPECT_EQ(refusal("node_beta(5-d,1)", 4), "");      // no node of depth 5 has a choice
+  EXPECT_NE(formula_refusal("node_beta(5-d,1)").find("is 0 at d = 5"), std::string::npos);
+  EXPECT_NE(formula_refusal("node_beta(1/(size-2),1)").find("is inf at d = 2, size = 2"), std::string::npos);
+  EXPECT_NE(formula_refusal("node_dst(d/10)").find("is 1 at d = 10"), std::string::npos);
+  EXPECT_NE(formula_refusal("node_ternary(0.3+d/100)").find("(0,1/3]"), std::string::npos);
+  EXPECT_EQ(formula_refusal("node_beta(1/(size-1),1)"), "");  // size 1 leaves no choice
+  EXPECT_EQ(formula_refusal("node_beta(5-d,1)", 4), "");      // no node of depth 5 has a choice
   // A place that is not tried out is found when it is grown.
   const Model model = Model::parse("node_dst(size == 777 ? 2 : 0.5)");
   model.require_size(1001);

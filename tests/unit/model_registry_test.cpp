@@ -14,7 +14,7 @@
 namespace ramify {
 namespace {
 
-std::string refusal(std::string_view text) {
+std::string model_refusal(std::string_view text) {
   return test::error_of([&] { Model::parse(text); });
 }
 
@@ -44,46 +44,46 @@ TEST(Model, ReadsEveryModel) {
 }
 
 TEST(Model, RefusesAnUnknownNameWithTheNearest) {
-  EXPECT_TRUE(says(refusal("patrica(0.3)"), "did you mean patricia?"));
-  EXPECT_TRUE(says(refusal("dts(0.3)"), "did you mean dst"));
-  EXPECT_TRUE(says(refusal("quadtree"), "unknown model 'quadtree'"));
-  EXPECT_TRUE(says(refusal(""), "unknown model ''"));
-  EXPECT_TRUE(says(refusal("BST"), "unknown model 'BST'"));
+  EXPECT_TRUE(says(model_refusal("patrica(0.3)"), "did you mean patricia?"));
+  EXPECT_TRUE(says(model_refusal("dts(0.3)"), "did you mean dst"));
+  EXPECT_TRUE(says(model_refusal("quadtree"), "unknown model 'quadtree'"));
+  EXPECT_TRUE(says(model_refusal(""), "unknown model ''"));
+  EXPECT_TRUE(says(model_refusal("BST"), "unknown model 'BST'"));
 }
 
 TEST(Model, RefusesAWrongNumberOfParameters) {
-  EXPECT_TRUE(says(refusal("bst(1)"), "bst takes 0"));
-  EXPECT_TRUE(says(refusal("beta(10)"), "beta takes 2"));
-  EXPECT_TRUE(says(refusal("beta"), "write beta(a,b)"));
-  EXPECT_TRUE(says(refusal("beta(1,2,3)"), "beta takes 2"));
-  EXPECT_TRUE(says(refusal("dst"), "dst takes 1"));
-  EXPECT_TRUE(says(refusal("patricia(0.2,0.3)"), "patricia takes 1"));
-  EXPECT_TRUE(says(refusal("catalan(0.5)"), "catalan takes 0"));
-  EXPECT_TRUE(says(refusal("beta(10,80"), "a '(' without its ')'"));
+  EXPECT_TRUE(says(model_refusal("bst(1)"), "bst takes 0"));
+  EXPECT_TRUE(says(model_refusal("beta(10)"), "beta takes 2"));
+  EXPECT_TRUE(says(model_refusal("beta"), "write beta(a,b)"));
+  EXPECT_TRUE(says(model_refusal("beta(1,2,3)"), "beta takes 2"));
+  EXPECT_TRUE(says(model_refusal("dst"), "dst takes 1"));
+  EXPECT_TRUE(says(model_refusal("patricia(0.2,0.3)"), "patricia takes 1"));
+  EXPECT_TRUE(says(model_refusal("catalan(0.5)"), "catalan takes 0"));
+  EXPECT_TRUE(says(model_refusal("beta(10,80"), "a '(' without its ')'"));
 }
 
 TEST(Model, RefusesAParameterThatIsNoNumber) {
   for (const char* text :
        {"dst(x)", "dst()", "dst(nan)", "dst(inf)", "dst(-inf)", "dst(1/0)", "beta(1,inf)", "beta(nan,1)",
         "beta(1,)", "patricia(0.2x)", "dst(0 .2)", "split(1e999)", "dst(0.2))", "beta(1e308/1e-308,1)"})
-    EXPECT_TRUE(says(refusal(text), "not a finite number")) << text;
+    EXPECT_TRUE(says(model_refusal(text), "not a finite number")) << text;
 }
 
 TEST(Model, RefusesAParameterOutOfItsDomain) {
   for (const char* model : {"dst", "patricia", "split"})
     for (const char* value : {"0", "1", "-0.1", "1.5", "2/1", "-0"})
-      EXPECT_TRUE(says(refusal(std::string(model) + "(" + value + ")"), "must lie in (0,1)"))
+      EXPECT_TRUE(says(model_refusal(std::string(model) + "(" + value + ")"), "must lie in (0,1)"))
           << model << value;
   for (const char* text : {"beta(0,1)", "beta(1,0)", "beta(-1,1)", "beta(1,-2)", "beta_multinomial(0,1)",
                            "beta_multinomial(1,-2)"})
-    EXPECT_TRUE(says(refusal(text), "must be a finite number above 0")) << text;
+    EXPECT_TRUE(says(model_refusal(text), "must be a finite number above 0")) << text;
   for (const char* text : {"ford(-0.1)", "ford(1.1)"})
-    EXPECT_TRUE(says(refusal(text), "must lie in [0,1]")) << text;
+    EXPECT_TRUE(says(model_refusal(text), "must lie in [0,1]")) << text;
   for (const char* text : {"aldous(-2)", "aldous(-3)"})
-    EXPECT_TRUE(says(refusal(text), "must be a finite number above -2")) << text;
+    EXPECT_TRUE(says(model_refusal(text), "must be a finite number above -2")) << text;
   for (const char* text :
        {"beta(0.01,1000)", "aldous(-1.9999999999999998)", "aldous(1e300)", "ford(0)", "ford(1)"})
-    EXPECT_EQ(refusal(text), "") << text;
+    EXPECT_EQ(model_refusal(text), "") << text;
 }
 
 TEST(Model, RefusesSizesItCannotDraw) {
@@ -170,10 +170,10 @@ TEST(Models, AreListedOnceEachWithTheirSource) {
 
 // What the suites over every model are made of; file(PATH) has suites of its own.
 TEST(TestedModels, AreAllModels) {
-  std::set<std::string> tested{"file"};
-  for (const auto& text : test::all_models()) tested.insert(Model::parse(text).name());
-  for (const auto& grown : test::grown_cases()) tested.insert(Model::parse(grown.model).name());
-  for (const auto& info : models()) EXPECT_TRUE(tested.contains(std::string(info.name))) << info.name;
+  std::set<std::string, std::less<>> tested{"file"};
+  for (const auto& text : test::all_models()) tested.emplace(Model::parse(text).name());
+  for (const auto& grown : test::grown_cases()) tested.emplace(Model::parse(grown.model).name());
+  for (const auto& info : models()) EXPECT_TRUE(tested.contains(info.name)) << info.name;
 }
 
 }  // namespace

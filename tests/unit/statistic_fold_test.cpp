@@ -29,7 +29,7 @@ Counts trimmed(const HortonStrahler::Counts& counts, std::size_t top) {
 }
 
 /// Every deterministic fold of the tree against its definition.
-void expect_definitions(const test::Shape& shape) {
+void expect_fold_definitions(const test::Shape& shape) {
   const std::string word = test::to_word(shape);
   SCOPED_TRACE(word.size() < 200 ? word : "a long word");
   Everything fold;
@@ -54,7 +54,7 @@ TEST(Folds, AreTheDefinitionsOnEveryTreeToEightNodes) {
     const std::vector<std::size_t> catalan{1, 1, 2, 5, 14, 42, 132, 429, 1430};
     EXPECT_EQ(shapes.size(), catalan[n]);
     for (const auto& shape : shapes) {
-      expect_definitions(shape);
+      expect_fold_definitions(shape);
       EXPECT_EQ(test::strahler(shape), test::strahler_by_pruning(shape));
       EXPECT_EQ(test::level_of_first_gap(shape), test::fill_level(shape));
     }
@@ -79,7 +79,7 @@ TEST(Folds, ObeyTheBoundsOnEveryTreeToEightNodes) {
 TEST(Folds, AreTheDefinitionsOnWiderTrees) {
   for (const char* word : {"(EEE)", "(EEEE)", "((EE)EE)", "((EE)(EE)E)", "((EEE)(EE)(EE))",
                            "(E(EEE)((EE)(EE)))", "(((EE)(EE))((EE)(EE))(EEE))", "(E((EEE)(EEE)(EEE))(EE)E)"})
-    expect_definitions(test::read_shape(word));
+    expect_fold_definitions(test::read_shape(word));
 }
 
 // B22: one more than the largest order m where two children or more have it, however many.
@@ -102,7 +102,7 @@ TEST(HortonStrahler, KnowsTheLargestOrder) {
 TEST(Folds, OnAChain) {
   for (const std::size_t n : {1u, 2u, 5u, 60u}) {
     const auto shape = test::right_chain(n);
-    expect_definitions(shape);
+    expect_fold_definitions(shape);
     EXPECT_EQ(test::strahler(shape), 1u);
     EXPECT_EQ(test::height(shape), n + 1);
     EXPECT_EQ(test::nodes_per_order(shape), (Counts{n + 1, n}));
@@ -113,7 +113,7 @@ TEST(Folds, OnAChain) {
 TEST(Folds, OnACompleteTree) {
   for (std::size_t levels = 0; levels <= 7; ++levels) {
     const auto shape = test::complete_shape(levels);
-    expect_definitions(shape);
+    expect_fold_definitions(shape);
     EXPECT_EQ(test::strahler(shape), levels);
     EXPECT_EQ(test::height(shape), levels + 1);
     EXPECT_EQ(test::fill_level(shape), levels);
@@ -137,7 +137,7 @@ class DrawnTrees : public ::testing::TestWithParam<Fixture> {};
 TEST_P(DrawnTrees, HaveThePrintedStatistics) {
   const Fixture& fixture = GetParam();
   const Tree tree = from_parentheses(fixture.word);
-  expect_definitions(test::read_shape(fixture.word));
+  expect_fold_definitions(test::read_shape(fixture.word));
   Everything fold;
   const auto root = measure(tree, fold);
   EXPECT_EQ(tree.size(), fixture.size);

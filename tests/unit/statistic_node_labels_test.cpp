@@ -29,7 +29,7 @@ void depths_in_preorder(const test::Shape& shape, std::uint32_t depth, std::vect
   for (const auto& child : shape.children) depths_in_preorder(child, depth + 1, depths);
 }
 
-void expect_definitions(const test::Shape& shape) {
+void expect_label_definitions(const test::Shape& shape) {
   const std::string word = test::to_word(shape);
   SCOPED_TRACE(word);
   const Tree tree = from_parentheses(word);
@@ -49,9 +49,9 @@ void expect_definitions(const test::Shape& shape) {
 
 TEST(NodeLabels, AreTheDefinitions) {
   for (std::size_t n = 0; n <= 6; ++n)
-    for (const auto& shape : test::all_shapes(n)) expect_definitions(shape);
+    for (const auto& shape : test::all_shapes(n)) expect_label_definitions(shape);
   for (const char* word : {"(EEE)", "((E)(EE))", "(E((EEE)(EEE)(EEE))(EE)E)"})
-    expect_definitions(test::read_shape(word));
+    expect_label_definitions(test::read_shape(word));
 }
 
 // X35: the two Horsfield orders agree on longest paths alone.
@@ -61,14 +61,14 @@ TEST(HorsfieldOrders, DifferOffTheLongestPaths) {
   EXPECT_EQ(horsfield_orders_from_root(tree), (std::vector<std::uint32_t>{3, 2, 2, 1, 1}));
 }
 
-using Counts = std::vector<PathNodes>;
+using PathCounts = std::vector<PathNodes>;
 
 TEST(PathNodes, FollowTheirRule) {
   const Tree tree = from_parentheses("(E(EE))");
-  EXPECT_EQ(path_nodes(tree, MainChild::first), (Counts{{1, 0}, {2, 0}, {1, 1}, {2, 1}, {1, 2}}));
-  EXPECT_EQ(path_nodes(tree, MainChild::largest), (Counts{{1, 0}, {1, 1}, {2, 0}, {3, 0}, {2, 1}}));
-  EXPECT_EQ(path_nodes(tree, MainChild::highest_order), (Counts{{1, 0}, {1, 1}, {2, 0}, {3, 0}, {2, 1}}));
-  EXPECT_EQ(path_nodes(from_parentheses("E"), MainChild::first), (Counts{{1, 0}}));
+  EXPECT_EQ(path_nodes(tree, MainChild::first), (PathCounts{{1, 0}, {2, 0}, {1, 1}, {2, 1}, {1, 2}}));
+  EXPECT_EQ(path_nodes(tree, MainChild::largest), (PathCounts{{1, 0}, {1, 1}, {2, 0}, {3, 0}, {2, 1}}));
+  EXPECT_EQ(path_nodes(tree, MainChild::highest_order), (PathCounts{{1, 0}, {1, 1}, {2, 0}, {3, 0}, {2, 1}}));
+  EXPECT_EQ(path_nodes(from_parentheses("E"), MainChild::first), (PathCounts{{1, 0}}));
 }
 
 // Order and size choose differently: a chain of three nodes against two of order 2.

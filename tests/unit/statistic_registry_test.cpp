@@ -14,15 +14,15 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-std::string refusal(const Names& names) {
+std::string names_refusal(const Names& names) {
   return test::error_of([&] { StatisticSet::parse(names); });
 }
 
 TEST(StatisticSet, RefusesWhatItDoesNotKnow) {
-  EXPECT_NE(refusal({"stralher"}).find("did you mean strahler?"), std::string::npos);
-  EXPECT_NE(refusal({"zzzzzzzz"}).find("unknown statistic 'zzzzzzzz'"), std::string::npos);
-  EXPECT_NE(refusal({"height", "height"}).find("given twice"), std::string::npos);
-  EXPECT_NE(refusal({}).find("no statistic"), std::string::npos);
+  EXPECT_NE(names_refusal({"stralher"}).find("did you mean strahler?"), std::string::npos);
+  EXPECT_NE(names_refusal({"zzzzzzzz"}).find("unknown statistic 'zzzzzzzz'"), std::string::npos);
+  EXPECT_NE(names_refusal({"height", "height"}).find("given twice"), std::string::npos);
+  EXPECT_NE(names_refusal({}).find("no statistic"), std::string::npos);
 }
 
 Names names_of(const std::vector<StatisticSet::Column>& columns) {

@@ -21,7 +21,7 @@ LawRequest request(const char* model, const char* statistic, std::vector<Size> s
   return {Model::parse(model), statistic, quantity, std::move(sizes)};
 }
 
-std::string refusal(const LawRequest& request, const LawCost& limit) {
+std::string law_refusal(const LawRequest& request, const LawCost& limit) {
   return test::error_of([&] { require_computable(request, limit); });
 }
 
@@ -31,18 +31,18 @@ Size suggested(const std::string& message) {
 }
 
 TEST(LawRequest, OfAStatisticWithoutALawNamesThoseThatHaveOne) {
-  const std::string message = refusal(request("bst", "size", {10}), {unlimited, unlimited});
+  const std::string message = law_refusal(request("bst", "size", {10}), {unlimited, unlimited});
   EXPECT_NE(message.find("strahler, height, depth, external_depth, fill_level, balance, orders, path_length"),
             std::string::npos)
       << message;
-  EXPECT_NE(refusal(request("bst", "heigth", {10}), {unlimited, unlimited}).find("did you mean height"),
+  EXPECT_NE(law_refusal(request("bst", "heigth", {10}), {unlimited, unlimited}).find("did you mean height"),
             std::string::npos);
 }
 
 TEST(LawRequest, OfCovariancesIsForOrdersAlone) {
   for (const auto& statistic : law_statistics())
     EXPECT_EQ(
-        refusal(request("bst", statistic.c_str(), {10}, LawQuantity::covariances), {unlimited, unlimited})
+        law_refusal(request("bst", statistic.c_str(), {10}, LawQuantity::covariances), {unlimited, unlimited})
             .empty(),
         statistic == "orders")
         << statistic;
@@ -51,7 +51,7 @@ TEST(LawRequest, OfCovariancesIsForOrdersAlone) {
 TEST(LawRequest, OfASumIsForItsMomentsAlone) {
   for (const auto& statistic : moment_statistics()) {
     const auto refused = [&](LawQuantity quantity) {
-      return refusal(request("bst", statistic.c_str(), {10}, quantity), {unlimited, unlimited});
+      return law_refusal(request("bst", statistic.c_str(), {10}, quantity), {unlimited, unlimited});
     };
     EXPECT_NE(refused(LawQuantity::law).find("--moments"), std::string::npos) << statistic;
     EXPECT_NE(refused(LawQuantity::covariances), "") << statistic;
@@ -61,15 +61,16 @@ TEST(LawRequest, OfASumIsForItsMomentsAlone) {
 
 TEST(LawRequest, AboveTheModelsLargestSizeIsRefusedWhateverTheLimit) {
   const Size above = (Size{1} << 50) + 1;
-  EXPECT_NE(refusal(request("catalan", "depth", {10, above, 20}), {unlimited, unlimited}).find("sizes up to"),
-            std::string::npos);
+  EXPECT_NE(
+      law_refusal(request("catalan", "depth", {10, above, 20}), {unlimited, unlimited}).find("sizes up to"),
+      std::string::npos);
 }
 
 TEST(LawRequest, ThatTakesMoreThanAnHourHasToBeMeant) {
   const LawRequest depth = request("bst", "depth", {500'000});
-  EXPECT_NE(refusal(depth, {unlimited, long_law_seconds}).find("add --yes if you mean it"),
+  EXPECT_NE(law_refusal(depth, {unlimited, long_law_seconds}).find("add --yes if you mean it"),
             std::string::npos);
-  EXPECT_EQ(refusal(depth, {unlimited, unlimited}), "");
+  EXPECT_EQ(law_refusal(depth, {unlimited, unlimited}), "");
 }
 
 class LawLimit : public testing::TestWithParam<const char*> {};
@@ -77,13 +78,13 @@ class LawLimit : public testing::TestWithParam<const char*> {};
 TEST_P(LawLimit, IsKeptAndTheSizeSuggestedIsNearIt) {
   for (const auto& statistic : law_statistics()) {
     for (const LawCost& limit : {LawCost{1e9, unlimited}, LawCost{unlimited, 10}, LawCost{1e8, 100}}) {
-      const std::string message = refusal(request(GetParam(), statistic.c_str(), {Size{1} << 40}), limit);
+      const std::string message = law_refusal(request(GetParam(), statistic.c_str(), {Size{1} << 40}), limit);
       ASSERT_NE(message, "") << statistic;
       EXPECT_NE(message.find(limit.bytes < unlimited ? "of memory" : "takes about"), std::string::npos)
           << message;
       const Size fits = suggested(message);
-      EXPECT_EQ(refusal(request(GetParam(), statistic.c_str(), {fits}), limit), "") << message;
-      EXPECT_NE(refusal(request(GetParam(), statistic.c_str(), {fits + fits / 8}), limit), "") << message;
+      EXPECT_EQ(law_refusal(request(GetParam(), statistic.c_str(), {fits}), limit), "") << message;
+      EXPECT_NE(law_refusal(request(GetParam(), statistic.c_str(), {fits + fits / 8}), limit), "") << message;
     }
   }
 }

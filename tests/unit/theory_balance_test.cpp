@@ -20,16 +20,16 @@ TEST(BstBalance, IsNotOneOverLogThree) {
   EXPECT_GT(balance.value - 1 / std::log(3.0), 0.1);  // theorem C.2 as printed
 }
 
-struct Known {
+struct BalanceValue {
   double a, b;
   double balance;
 
-  friend std::ostream& operator<<(std::ostream& out, const Known& known) {
+  friend std::ostream& operator<<(std::ostream& out, const BalanceValue& known) {
     return out << "beta(" << known.a << ',' << known.b << ')';
   }
 };
 
-class KnownBalance : public testing::TestWithParam<Known> {};
+class KnownBalance : public testing::TestWithParam<BalanceValue> {};
 
 TEST_P(KnownBalance, IsMet) {
   const auto& [a, b, known] = GetParam();
@@ -40,14 +40,15 @@ TEST_P(KnownBalance, IsMet) {
 }
 
 // Computed apart, by quadrature; tolerance: one unit of the last digit.
-INSTANTIATE_TEST_SUITE_P(Theory, KnownBalance,
-                         testing::Values(Known{2, 2, 1.0730075546}, Known{5, 5, 1.1463589246},
-                                         Known{10, 10, 1.2027710171}, Known{100, 100, 1.3441122258},
-                                         Known{0.5, 0.5, 0.9915500406}, Known{0.1, 0.1, 0.9528363043},
-                                         Known{1, 3, 0.9919614315}, Known{1, 5, 0.8947074699},
-                                         Known{1, 10, 0.7007852289}, Known{2, 5, 1.0098859716},
-                                         Known{5, 20, 0.7780182689}, Known{10, 20, 1.0260760827},
-                                         Known{10, 80, 0.5275720393}, Known{20, 80, 0.6813025677}));
+INSTANTIATE_TEST_SUITE_P(
+    Theory, KnownBalance,
+    testing::Values(BalanceValue{2, 2, 1.0730075546}, BalanceValue{5, 5, 1.1463589246},
+                    BalanceValue{10, 10, 1.2027710171}, BalanceValue{100, 100, 1.3441122258},
+                    BalanceValue{0.5, 0.5, 0.9915500406}, BalanceValue{0.1, 0.1, 0.9528363043},
+                    BalanceValue{1, 3, 0.9919614315}, BalanceValue{1, 5, 0.8947074699},
+                    BalanceValue{1, 10, 0.7007852289}, BalanceValue{2, 5, 1.0098859716},
+                    BalanceValue{5, 20, 0.7780182689}, BalanceValue{10, 20, 1.0260760827},
+                    BalanceValue{10, 80, 0.5275720393}, BalanceValue{20, 80, 0.6813025677}));
 
 TEST(BetaBalance, OfTheUniformSplitIsThatOfTheBst) {
   const auto bst = ramify::bst_balance();

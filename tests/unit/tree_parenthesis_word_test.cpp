@@ -32,14 +32,14 @@ TEST(ParenthesisWord, SkipsWhiteSpace) {
   EXPECT_EQ(from_parentheses(" ( E\n\t(E E)\r\n)\n"), from_parentheses("(E(EE))"));
 }
 
-struct Refusal {
+struct WordRefusal {
   std::string text;
   std::string place;
   std::string why;
 };
 
 TEST(ParenthesisWord, RefusesWithTheColumn) {
-  const std::vector<Refusal> refusals{
+  const std::vector<WordRefusal> refusals{
       {"", "word:1: ", "no tree at all"},
       {"  ", "word:1: ", "no tree at all"},
       {"(EX)", "word:3: ", "'X' is none of E, ( and )"},
