@@ -53,6 +53,12 @@ TEST(RealSummary, QuantilesMatchTheWholeOnes) {
   EXPECT_DOUBLE_EQ(reals.variance(), 82.5 / 9);
 }
 
+TEST(RealSummary, InterpolatesBetweenOrderStatistics) {
+  RealSummary reals;
+  for (const double value : {4.0, 1.0, 2.0}) reals.add(value);
+  EXPECT_EQ(reals.interpolated_quantiles({0, 0.25, 0.5, 0.75, 1}), (std::vector<double>{1, 1.5, 2, 3, 4}));
+}
+
 /// Counts of orders 0 and 1 of three trees.
 OrderTotals three_trees() {
   OrderTotals totals;

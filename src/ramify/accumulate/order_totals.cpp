@@ -2,18 +2,27 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "ramify/core/contract.hpp"
+#include "ramify/core/error.hpp"
 
 namespace ramify {
+
+OrderTotals::OrderTotals(std::uint64_t trees, std::span<const Sums> sums) : trees_(trees) {
+  if (sums.empty() || sums.size() > sums_.size())
+    throw Error(std::to_string(sums.size()) + " orders", "no tree has as many", "grow the block again");
+  std::ranges::copy(sums, sums_.begin());
+  highest_ = sums.size() - 1;
+}
 
 void OrderTotals::add(const HortonStrahler::Counts& counts, std::size_t top) {
   ++trees_;
   highest_ = std::max(highest_, top);
   for (std::size_t k = 0; k <= top; ++k) {
-    sums_[k] += counts[k];
-    squares_[k] += int128(counts[k]) * counts[k];
-    if (k < top) neighbours_[k] += int128(counts[k]) * counts[k + 1];
+    sums_[k].counts += counts[k];
+    sums_[k].squares += int128(counts[k]) * counts[k];
+    if (k < top) sums_[k].neighbours += int128(counts[k]) * counts[k + 1];
   }
 }
 
@@ -21,9 +30,9 @@ void OrderTotals::merge(const OrderTotals& other) {
   trees_ += other.trees_;
   highest_ = std::max(highest_, other.highest_);
   for (std::size_t k = 0; k <= other.highest_; ++k) {
-    sums_[k] += other.sums_[k];
-    squares_[k] += other.squares_[k];
-    neighbours_[k] += other.neighbours_[k];
+    sums_[k].counts += other.sums_[k].counts;
+    sums_[k].squares += other.sums_[k].squares;
+    sums_[k].neighbours += other.sums_[k].neighbours;
   }
 }
 
@@ -37,18 +46,20 @@ double OrderTotals::variance_of_mean(const int128& sum_a, const int128& sum_b, c
 }
 
 Estimate OrderTotals::mean(std::size_t k) const {
-  const double mean = static_cast<double>(sums_[k]) / static_cast<double>(trees_);
-  return {mean, std::sqrt(variance_of_mean(sums_[k], sums_[k], squares_[k]))};
+  const Sums& a = sums_[k];
+  const double mean = static_cast<double>(a.counts) / static_cast<double>(trees_);
+  return {mean, std::sqrt(variance_of_mean(a.counts, a.counts, a.squares))};
 }
 
 Estimate OrderTotals::pooled_ratio(std::size_t k) const {
   RAMIFY_EXPECTS(k < highest_);
+  const Sums &a = sums_[k], &b = sums_[k + 1];
   const double below = mean(k).value, above = mean(k + 1).value;
   const double ratio = below / above;
   // Var(A/B) ~ (Var A - 2 r Cov(A,B) + r^2 Var B) / B^2
-  const double variance = variance_of_mean(sums_[k], sums_[k], squares_[k]) -
-                          2 * ratio * variance_of_mean(sums_[k], sums_[k + 1], neighbours_[k]) +
-                          ratio * ratio * variance_of_mean(sums_[k + 1], sums_[k + 1], squares_[k + 1]);
+  const double variance = variance_of_mean(a.counts, a.counts, a.squares) -
+                          2 * ratio * variance_of_mean(a.counts, b.counts, a.neighbours) +
+                          ratio * ratio * variance_of_mean(b.counts, b.counts, b.squares);
   return {ratio, std::sqrt(std::max(0.0, variance)) / above};
 }
 

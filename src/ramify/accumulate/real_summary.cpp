@@ -20,14 +20,31 @@ double RealSummary::variance() const {
   return squares / static_cast<double>(values_.size() - 1);
 }
 
-std::vector<double> RealSummary::quantiles(const std::vector<double>& levels) const {
+std::vector<double> RealSummary::sorted() const {
   RAMIFY_EXPECTS(!values_.empty());
   std::vector<double> sorted = values_;
   std::sort(sorted.begin(), sorted.end());
+  return sorted;
+}
+
+std::vector<double> RealSummary::quantiles(const std::vector<double>& levels) const {
+  const auto sorted = this->sorted();
   std::vector<double> result;
   for (const double level : levels) {
     const double rank = std::ceil(level * static_cast<double>(sorted.size()));
     result.push_back(sorted[static_cast<std::size_t>(std::max(rank, 1.0)) - 1]);
+  }
+  return result;
+}
+
+std::vector<double> RealSummary::interpolated_quantiles(const std::vector<double>& levels) const {
+  const auto sorted = this->sorted();
+  std::vector<double> result;
+  for (const double level : levels) {
+    const double place = level * static_cast<double>(sorted.size() - 1);
+    const auto below = static_cast<std::size_t>(place);
+    const std::size_t above = std::min(below + 1, sorted.size() - 1);
+    result.push_back(std::lerp(sorted[below], sorted[above], place - static_cast<double>(below)));
   }
   return result;
 }

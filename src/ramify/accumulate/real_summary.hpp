@@ -17,6 +17,8 @@ class RealSummary {
     values_.insert(values_.end(), later.values_.begin(), later.values_.end());
   }
 
+  /// In the order they were added.
+  const std::vector<double>& values() const { return values_; }
   std::uint64_t count() const { return values_.size(); }
   /// NaN without values.
   double mean() const;
@@ -24,8 +26,15 @@ class RealSummary {
   double variance() const;
   /// The smallest value v with P(X <= v) >= level for each level, ascending levels in (0,1]. count() >= 1.
   std::vector<double> quantiles(const std::vector<double>& levels) const;
+  /// Linear interpolation between the order statistics (Hyndman and Fan 1996, type 7), levels in [0,1].
+  /// count() >= 1.
+  std::vector<double> interpolated_quantiles(const std::vector<double>& levels) const;
+
+  friend bool operator==(const RealSummary&, const RealSummary&) = default;
 
  private:
+  std::vector<double> sorted() const;
+
   std::vector<double> values_;
 };
 

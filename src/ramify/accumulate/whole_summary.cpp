@@ -14,7 +14,7 @@ using int256 = boost::multiprecision::int256_t;
 }  // namespace
 
 void WholeSummary::merge(const WholeSummary& other) {
-  for (const auto& [value, times] : other.occurrences_) occurrences_[value] += times;
+  for (const auto& [value, times] : other.occurrences_) add(value, times);
 }
 
 std::uint64_t WholeSummary::count() const {

@@ -12,6 +12,7 @@ namespace ramify {
 class WholeSummary {
  public:
   void add(std::int64_t value) { ++occurrences_[value]; }
+  void add(std::int64_t value, std::uint64_t times) { occurrences_[value] += times; }
   void merge(const WholeSummary& other);
 
   std::uint64_t count() const;
@@ -23,6 +24,8 @@ class WholeSummary {
   std::int64_t min() const { return occurrences_.begin()->first; }
   std::int64_t max() const { return occurrences_.rbegin()->first; }
   const std::map<std::int64_t, std::uint64_t>& occurrences() const { return occurrences_; }
+
+  friend bool operator==(const WholeSummary&, const WholeSummary&) = default;
 
  private:
   std::map<std::int64_t, std::uint64_t> occurrences_;

@@ -12,10 +12,9 @@
 #include "ramify/accumulate/real_summary.hpp"
 #include "ramify/compare/holm.hpp"
 #include "ramify/core/error.hpp"
-#include "ramify/core/parallel.hpp"
 #include "ramify/law/exact_means.hpp"
+#include "ramify/sample/grow_blocks.hpp"
 #include "ramify/sample/measure_tree.hpp"
-#include "ramify/sample/tree_sampler.hpp"
 #include "ramify/statistic/registry.hpp"
 
 namespace ramify {
@@ -51,19 +50,18 @@ Row values_of(const std::vector<StatisticSet::Column>& columns, const TreeMeasur
   return values;
 }
 
+/// Of a block: the trees are few.
+constexpr std::uint64_t most_trees = 16;
+
 /// The statistics of simulated trees, tree by tree.
 std::vector<Row> simulated(const Model& model, Size n, const std::vector<StatisticSet::Column>& columns,
                            const Simulation& simulation, const Cancellation& cancellation) {
-  const auto prototype = make_tree_sampler({model, grow_all, n, &cancellation});
-  const StreamKey key{simulation.seed, model.stream_cell(n)};
-  std::vector<std::unique_ptr<TreeSampler>> samplers(simulation.threads);
   std::vector<Row> rows(simulation.trees);
-  parallel_for(rows.size(), simulation.threads, [&](std::size_t replicate, unsigned worker) {
-    if (cancellation.requested()) throw Interrupted();
-    if (!samplers[worker]) samplers[worker] = prototype->clone();
-    TreeMeasures measures;
-    samplers[worker]->sample(n, key, replicate, measures);
-    rows[replicate] = values_of(columns, measures);
+  const GrowingJob job{model, n, simulation.seed, grow_all, 0, simulation.trees, most_trees};
+  grow_blocks({job}, simulation.threads, cancellation, [&](const Block&, const BlockTrees& trees) {
+    trees.each([&](std::uint64_t replicate, const TreeMeasures& measures) {
+      rows[replicate] = values_of(columns, measures);
+    });
   });
   return rows;
 }

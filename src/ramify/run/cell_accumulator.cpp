@@ -45,6 +45,13 @@ ColumnSummary summarise_real(const RealSummary& values) {
 
 }  // namespace
 
+void CellSums::merge(const CellSums& later) {
+  for (std::size_t i = 0; i < wholes.size(); ++i) wholes[i].merge(later.wholes[i]);
+  for (std::size_t i = 0; i < reals.size(); ++i) reals[i].merge(later.reals[i]);
+  nodes.merge(later.nodes);
+  streams.merge(later.streams);
+}
+
 const ColumnSummary& CellResult::column(const std::string& name) const {
   for (const auto& summary : columns)
     if (summary.name == name) return summary;
@@ -56,35 +63,28 @@ CellAccumulator::CellAccumulator(const StatisticSet& statistics, std::size_t lar
       counts_orders_(statistics.contains("nodes") || statistics.contains("streams")) {
   std::size_t wholes = 0, reals = 0;
   for (const auto& column : columns_) slot_.push_back(column.statistic->real ? reals++ : wholes++);
-  wholes_.resize(wholes);
-  reals_.resize(reals);
+  sums_.wholes.resize(wholes);
+  sums_.reals.resize(reals);
 }
 
 void CellAccumulator::add(const TreeMeasures& measures) {
   write_statistics(columns_, measures, row_);
   for (std::size_t i = 0; i < row_.size(); ++i) {
     if (columns_[i].statistic->real)
-      reals_[slot_[i]].add(row_[i].real);
+      sums_.reals[slot_[i]].add(row_[i].real);
     else
-      wholes_[slot_[i]].add(row_[i].whole);
+      sums_.wholes[slot_[i]].add(row_[i].whole);
   }
   if (!counts_orders_) return;
-  nodes_.add(measures.nodes, measures.strahler);
-  streams_.add(measures.streams, measures.strahler);
-}
-
-void CellAccumulator::merge(const CellAccumulator& later) {
-  for (std::size_t i = 0; i < wholes_.size(); ++i) wholes_[i].merge(later.wholes_[i]);
-  for (std::size_t i = 0; i < reals_.size(); ++i) reals_[i].merge(later.reals_[i]);
-  nodes_.merge(later.nodes_);
-  streams_.merge(later.streams_);
+  sums_.nodes.add(measures.nodes, measures.strahler);
+  sums_.streams.add(measures.streams, measures.strahler);
 }
 
 std::vector<ColumnSummary> CellAccumulator::summarise() const {
   std::vector<ColumnSummary> columns;
   for (std::size_t i = 0; i < columns_.size(); ++i) {
-    columns.push_back(columns_[i].statistic->real ? summarise_real(reals_[slot_[i]])
-                                                  : summarise_whole(wholes_[slot_[i]]));
+    columns.push_back(columns_[i].statistic->real ? summarise_real(sums_.reals[slot_[i]])
+                                                  : summarise_whole(sums_.wholes[slot_[i]]));
     columns.back().name = columns_[i].name;
   }
   return columns;
@@ -92,10 +92,10 @@ std::vector<ColumnSummary> CellAccumulator::summarise() const {
 
 std::vector<OrderSummary> CellAccumulator::summarise_orders() const {
   std::vector<OrderSummary> orders;
-  for (std::size_t k = 0; k <= nodes_.highest(); ++k) {
-    const bool top = k == nodes_.highest();
-    orders.push_back({nodes_.mean(k), streams_.mean(k), top ? none : nodes_.pooled_ratio(k),
-                      top ? none : streams_.pooled_ratio(k)});
+  for (std::size_t k = 0; k <= sums_.nodes.highest(); ++k) {
+    const bool top = k == sums_.nodes.highest();
+    orders.push_back({sums_.nodes.mean(k), sums_.streams.mean(k), top ? none : sums_.nodes.pooled_ratio(k),
+                      top ? none : sums_.streams.pooled_ratio(k)});
   }
   return orders;
 }

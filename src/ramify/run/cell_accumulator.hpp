@@ -2,10 +2,8 @@
 
 #include <vector>
 
-#include "ramify/accumulate/order_totals.hpp"
-#include "ramify/accumulate/real_summary.hpp"
-#include "ramify/accumulate/whole_summary.hpp"
 #include "ramify/run/cell_result.hpp"
+#include "ramify/run/cell_sums.hpp"
 #include "ramify/run/plan.hpp"
 #include "ramify/statistic/tree_measures.hpp"
 
@@ -18,9 +16,10 @@ class CellAccumulator {
   CellAccumulator(const StatisticSet& statistics, std::size_t largest_order);
 
   void add(const TreeMeasures& measures);
-  /// The trees of `later` follow those of this one.
-  void merge(const CellAccumulator& later);
+  /// The trees of `later`, of the same statistics and largest order, follow those of this one.
+  void merge(const CellSums& later) { sums_.merge(later); }
 
+  const CellSums& sums() const { return sums_; }
   CellResult result(const Cell& cell) const;
 
  private:
@@ -30,10 +29,8 @@ class CellAccumulator {
   std::vector<StatisticSet::Column> columns_;
   bool counts_orders_;
   std::vector<StatisticValue> row_;
-  std::vector<std::size_t> slot_;  // of each column: index into wholes_ or reals_
-  std::vector<WholeSummary> wholes_;
-  std::vector<RealSummary> reals_;
-  OrderTotals nodes_, streams_;
+  std::vector<std::size_t> slot_;  // of each column: index into the whole or the real sums
+  CellSums sums_;
 };
 
 }  // namespace ramify

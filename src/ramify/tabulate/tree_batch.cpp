@@ -1,6 +1,5 @@
 #include "ramify/tabulate/tree_batch.hpp"
 
-#include <memory>
 #include <vector>
 
 #include <fmt/format.h>
@@ -10,11 +9,14 @@
 #include "ramify/format/write_trees.hpp"
 #include "ramify/model/split_tree.hpp"
 #include "ramify/random/stream.hpp"
-#include "ramify/sample/tree_sampler.hpp"
+#include "ramify/sample/grow_blocks.hpp"
 #include "ramify/tree/store.hpp"
 
 namespace ramify {
 namespace {
+
+/// Of a block: so that a few trees keep all threads busy.
+constexpr std::uint64_t most_trees = 16;
 
 Row row_of(const TreeBatch& batch, std::uint64_t replicate, const std::vector<StatisticSet::Column>& columns,
            const std::vector<StatisticValue>& values) {
@@ -33,28 +35,20 @@ Row row_of(const TreeBatch& batch, std::uint64_t replicate, const std::vector<St
 
 Table TreeBatch::table(const StatisticSet& statistics, std::uint64_t first, std::uint64_t last,
                        const Cancellation& cancellation) const {
-  const StreamKey key{seed, model.stream_cell(n)};
-  const auto prototype = make_tree_sampler({model, sampling_method(statistics, graft), n, &cancellation});
-  struct Worker {
-    std::unique_ptr<TreeSampler> sampler;
-    TreeMeasures measures;
-    std::vector<StatisticValue> values;
-  };
   const auto columns = statistics.columns(model.largest_order(n));
-  std::vector<Worker> workers(threads);
-  for (auto& worker : workers) worker.sampler = prototype->clone();
   std::vector<Row> rows(last - first);
-  parallel_for(rows.size(), threads, [&](std::size_t item, unsigned index) {
-    if (cancellation.requested()) throw Interrupted();
-    auto& [sampler, measures, values] = workers[index];
-    sampler->sample(n, key, first + item, measures);
-    write_statistics(columns, measures, values);
-    rows[item] = row_of(*this, first + item, columns, values);
+  const GrowingJob job{model, n, seed, sampling_method(statistics, graft), first, last, most_trees};
+  grow_blocks({job}, threads, cancellation, [&](const Block&, const BlockTrees& trees) {
+    std::vector<StatisticValue> values;
+    trees.each([&](std::uint64_t replicate, const TreeMeasures& measures) {
+      write_statistics(columns, measures, values);
+      rows[replicate - first] = row_of(*this, replicate, columns, values);
+    });
   });
   std::vector<std::string> header{"model", "n", "seed", "replicate"};
   for (const auto& column : columns) header.push_back(column.name);
   Table table(std::move(header));
-  for (auto& row : rows) table.add(std::move(row));
+  for (Row& row : rows) table.add(std::move(row));
   return table;
 }
 

@@ -1,0 +1,49 @@
+#include "ramify/run/grown_block.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "ramify/accumulate/accumulator_json.hpp"
+
+namespace ramify {
+namespace {
+
+using nlohmann::json;
+
+bool fits(const GrownBlock& grown, const Plan& plan) {
+  const auto& [block, sums] = grown;
+  if (block.job >= plan.cells.size()) return false;
+  const Cell& cell = plan.cells[block.job];
+  if (block.first >= block.last || block.last > cell.replicates) return false;
+  const CellAccumulator empty(plan.statistics, cell.model.largest_order(cell.n));
+  return sums.wholes.size() == empty.sums().wholes.size() && sums.reals.size() == empty.sums().reals.size();
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> encode(const GrownBlock& grown) {
+  const auto& [block, sums] = grown;
+  return json::to_cbor({{"cell", block.job},
+                        {"first", block.first},
+                        {"last", block.last},
+                        {"index", block.index},
+                        {"wholes", sums.wholes},
+                        {"reals", sums.reals},
+                        {"nodes", sums.nodes},
+                        {"streams", sums.streams}});
+}
+
+std::optional<GrownBlock> decode_block(std::span<const std::uint8_t> bytes, const Plan& plan) {
+  try {
+    const json j = json::from_cbor(bytes.begin(), bytes.end());
+    GrownBlock grown{
+        {j.at("cell"), j.at("first"), j.at("last"), j.at("index")},
+        {j.at("wholes").get<std::vector<WholeSummary>>(), j.at("reals").get<std::vector<RealSummary>>(),
+         j.at("nodes").get<OrderTotals>(), j.at("streams").get<OrderTotals>()}};
+    if (fits(grown, plan)) return grown;
+  } catch (const json::exception&) {  // damaged
+  } catch (const Error&) {            // not the sums of any trees
+  }
+  return std::nullopt;
+}
+
+}  // namespace ramify
