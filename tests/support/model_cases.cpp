@@ -37,11 +37,11 @@ SplitPmf aldous(double beta) {
 SplitPmf short_aldous(double beta) {
   return [=](Size n) { return short_aldous_law(n, beta); };
 }
-SplitPmf ford(double alpha) {
-  return [=](Size n) { return ford_law(n, alpha); };
+SplitPmf ford(double a) {
+  return [=](Size n) { return ford_law(n, a); };
 }
-SplitPmf short_ford(double alpha) {
-  return [=](Size n) { return short_ford_law(n, alpha); };
+SplitPmf short_ford(double a) {
+  return [=](Size n) { return short_ford_law(n, a); };
 }
 SplitPmf split(double x) {
   return [=](Size n) { return split_law(n, x); };

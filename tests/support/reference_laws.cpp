@@ -137,16 +137,16 @@ std::vector<double> aldous_law(Size n, double beta) {
   return scaled(weights);
 }
 
-std::vector<double> ford_law(Size n, double alpha) {
-  if (alpha == 1) return chain_law(n);
+std::vector<double> ford_law(Size n, double a) {
+  if (a == 1) return chain_law(n);
   const Size m = n + 1;
-  const Real a = alpha;
+  const Real weight = a;
   std::vector<Real> g{0, 1};  // G(m) / m!, m = 1, 2, ...
-  for (Size i = 1; i < m; ++i) g.push_back(g.back() * (Real(i) - a) / Real(i + 1));
+  for (Size i = 1; i < m; ++i) g.push_back(g.back() * (Real(i) - weight) / Real(i + 1));
   std::vector<double> law;
   for (Size k = 1; k < m; ++k) {
     const Real pairs = Real(k) * Real(m - k) / (Real(m) * Real(m - 1));  // C(m-2,k-1) / C(m,k)
-    law.push_back(static_cast<double>(g[k] * g[m - k] / g[m] * (a / 2 + (1 - 2 * a) * pairs)));
+    law.push_back(static_cast<double>(g[k] * g[m - k] / g[m] * (weight / 2 + (1 - 2 * weight) * pairs)));
   }
   return law;
 }
@@ -202,8 +202,8 @@ std::vector<double> short_aldous_law(Size n, double beta) {
   return n == 1 ? uniform_law(1) : appended_zero(aldous_law(n - 1, beta));
 }
 
-std::vector<double> short_ford_law(Size n, double alpha) {
-  return n == 1 ? uniform_law(1) : appended_zero(ford_law(n - 1, alpha));
+std::vector<double> short_ford_law(Size n, double a) {
+  return n == 1 ? uniform_law(1) : appended_zero(ford_law(n - 1, a));
 }
 
 std::vector<double> right_complete_law(Size n) {

@@ -18,7 +18,7 @@ std::vector<double> catalan_law(Size n);
 std::vector<double> dst_law(Size n, double p);
 std::vector<double> patricia_law(Size n, double p);
 std::vector<double> aldous_law(Size n, double beta);
-std::vector<double> ford_law(Size n, double alpha);
+std::vector<double> ford_law(Size n, double a);
 std::vector<double> complete_law(Size n);
 std::vector<double> chain_law(Size n);
 
@@ -44,7 +44,7 @@ std::vector<double> short_catalan_law(Size n);
 std::vector<double> short_aldous_law(Size n, double beta);
 
 /// Slip: n leaves in place of n+1.
-std::vector<double> short_ford_law(Size n, double alpha);
+std::vector<double> short_ford_law(Size n, double a);
 
 /// Slip: the last level filled from the right.
 std::vector<double> right_complete_law(Size n);

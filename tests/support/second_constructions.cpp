@@ -214,13 +214,13 @@ LinkedTree stemless_segmental_growth(std::size_t n, Stream& stream) {
   return grow_by_segments(n, 1, stream);
 }
 
-LinkedTree ford_by_growth(std::size_t n, double alpha, Stream& stream) {
+LinkedTree ford_by_growth(std::size_t n, double weight, Stream& stream) {
   LinkedTree tree;
   bifurcate(tree, 0, true);
   while (tree.nodes.size() < n) {
     const double inner = static_cast<double>(tree.nodes.size()), leaves = inner + 1;
-    const double all = (1 - alpha) * leaves + alpha * inner;
-    const bool at_leaf = uniform_open(stream) * all < (1 - alpha) * leaves;
+    const double all = (1 - weight) * leaves + weight * inner;
+    const bool at_leaf = uniform_open(stream) * all < (1 - weight) * leaves;
     std::size_t number = 0;
     do number = uniform_below(stream, 2 * tree.nodes.size() + 1);
     while ((segment(tree, number) == -1) != at_leaf);

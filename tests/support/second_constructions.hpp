@@ -46,9 +46,10 @@ LinkedTree terminal_growth(std::size_t n, Stream& stream);
 /// below the root included; n times (A16).
 LinkedTree segmental_growth(std::size_t n, Stream& stream);
 
-/// A leaf grows out of an edge, of weight 1-alpha where it ends in a leaf, else alpha, the stem above the
-/// root among these; on either side alike; n-1 times from the cherry on (Ford 2005). 0 <= alpha < 1.
-LinkedTree ford_by_growth(std::size_t n, double alpha, Stream& stream);
+/// A leaf grows out of an edge, chosen with a weight of 1-weight where it ends in a leaf, else weight, the
+/// stem above the root among these; on either side alike; n-1 times from the cherry on (Ford 2005). 0 <=
+/// weight < 1.
+LinkedTree ford_by_growth(std::size_t n, double weight, Stream& stream);
 
 /// Slip: nothing grows out of the stem.
 LinkedTree stemless_segmental_growth(std::size_t n, Stream& stream);
