@@ -9,6 +9,8 @@ struct Case {
   const char* name;
   const char* arguments;
   const char* says;
+
+  friend std::ostream& operator<<(std::ostream& out, const Case& bad) { return out << bad.name; }
 };
 
 class BadInput : public testing::TestWithParam<Case> {};

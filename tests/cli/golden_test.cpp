@@ -14,6 +14,8 @@ const std::filesystem::path folder = std::filesystem::path(RAMIFY_SOURCE) / "tes
 struct Golden {
   const char* config;
   const char* summary;
+
+  friend std::ostream& operator<<(std::ostream& out, const Golden& golden) { return out << golden.config; }
 };
 
 class GoldenRun : public testing::TestWithParam<Golden> {};

@@ -97,6 +97,10 @@ struct Built {
   const char* table;  ///< an option, or ""
   LawKind kind;
   Size n;
+
+  friend std::ostream& operator<<(std::ostream& out, const Built& built) {
+    return out << built.statistic << " of " << built.model;
+  }
 };
 
 class LawMemory : public testing::TestWithParam<Built> {};
@@ -143,6 +147,10 @@ struct Value {
   const char* statistic;
   double mean;
   double digits;  ///< half a unit of the last one printed
+
+  friend std::ostream& operator<<(std::ostream& out, const Value& value) {
+    return out << value.statistic << " of " << value.model;
+  }
 };
 
 class LargeLaw : public testing::TestWithParam<Value> {};

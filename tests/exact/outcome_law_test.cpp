@@ -130,6 +130,10 @@ JointLaw joint_law(const OutcomesOf<EnumeratedFold>& outcomes) {
 struct RationalModel {
   const char* model;
   Weight weight;
+
+  friend std::ostream& operator<<(std::ostream& out, const RationalModel& rational) {
+    return out << rational.model;
+  }
 };
 
 class OutcomeLaw : public testing::TestWithParam<RationalModel> {};

@@ -57,6 +57,8 @@ struct ExactMean {
   double exact;
   Grow wrong;  ///< the sampler of a near slip
   std::uint64_t trees = 6000;
+
+  friend std::ostream& operator<<(std::ostream& out, const ExactMean& mean) { return out << mean.name; }
 };
 
 class KnownMeans : public ::testing::TestWithParam<ExactMean> {};

@@ -158,6 +158,10 @@ struct KnownMean {
   const char* what;
   double (*value)(const TreeMeasures&);
   double mean;
+
+  friend std::ostream& operator<<(std::ostream& out, const KnownMean& known) {
+    return out << known.what << " of " << known.model;
+  }
 };
 
 class GrownModels : public testing::TestWithParam<KnownMean> {};

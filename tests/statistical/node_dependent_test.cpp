@@ -40,6 +40,8 @@ struct NodeCase {
   NodeSplitLaw split;
   const char* slip;
   NodeSplitLaw wrong;
+
+  friend std::ostream& operator<<(std::ostream& out, const NodeCase& node) { return out << node.model; }
 };
 
 class NodeDependentModels : public testing::TestWithParam<NodeCase> {};

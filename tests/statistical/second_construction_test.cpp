@@ -29,6 +29,10 @@ struct Construction {
   Builder build;
   std::string wrong;    // a near model
   Builder wrong_build;  // the nearest slip
+
+  friend std::ostream& operator<<(std::ostream& out, const Construction& construction) {
+    return out << construction.name;
+  }
 };
 
 /// (order, height) of trees built the other way.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,8 @@ struct ModelCase {
   SplitPmf law;
   std::vector<WrongLaw> wrong;
   std::vector<WrongLaw> wrong_when_small;
+
+  friend std::ostream& operator<<(std::ostream& out, const ModelCase& one) { return out << one.model; }
 };
 
 const std::vector<ModelCase>& model_cases();

@@ -1,10 +1,20 @@
 #pragma once
 
+#include <ostream>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "ramify/format/read_trees.hpp"
+
+namespace ramify {
+
+/// As a test's parameter.
+inline void PrintTo(TreeFormat format, std::ostream* out) {
+  *out << name_of(format);
+}
+
+}  // namespace ramify
 
 namespace ramify::test {
 

@@ -40,6 +40,10 @@ double beta_level(const UnitPair& pair, double a, double b) {
 
 struct Shapes {
   double a, b;
+
+  friend std::ostream& operator<<(std::ostream& out, const Shapes& shapes) {
+    return out << shapes.a << ',' << shapes.b;
+  }
 };
 
 class BetaVariate : public ::testing::TestWithParam<Shapes> {};

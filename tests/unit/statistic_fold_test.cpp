@@ -130,6 +130,8 @@ struct Fixture {
   std::uint32_t height;
   Counts nodes;
   Counts streams;  // empty where none are printed
+
+  friend std::ostream& operator<<(std::ostream& out, const Fixture& fixture) { return out << fixture.source; }
 };
 
 class DrawnTrees : public ::testing::TestWithParam<Fixture> {};
