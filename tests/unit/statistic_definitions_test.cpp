@@ -30,20 +30,12 @@ double quotient(std::uint64_t above, std::uint64_t below) {
                     : static_cast<double>(above) / static_cast<double>(below);
 }
 
-StatisticSet all_statistics() {
-  std::vector<std::string> names;
-  for (const auto& info : statistics()) names.emplace_back(info.name);
-  return StatisticSet::parse(names);
-}
-
 Values measured(const test::Shape& shape, std::uint64_t replicate = 0) {
   const TreeMeasures measures =
       measure_tree(from_parentheses(test::to_word(shape)), {test::seed_of("measured"), 0}, replicate);
-  const auto columns = all_statistics().columns(measures.strahler + 1);
-  std::vector<StatisticValue> row;
-  write_statistics(columns, measures, row);
   Values values;
-  for (std::size_t i = 0; i < columns.size(); ++i) values[columns[i].name] = as_real(columns[i], row[i]);
+  for (const StatisticColumn& column : StatisticSet::all().columns(measures.strahler + 1))
+    values[column.name()] = column.real_value(measures);
   return values;
 }
 

@@ -8,6 +8,10 @@
 #include <gtest/gtest.h>
 
 #include "ramify/io/csv_writer.hpp"
+#include "ramify/statistic/height.hpp"
+#include "ramify/statistic/last_node_depth.hpp"
+#include "ramify/statistic/registry.hpp"
+#include "ramify/statistic/strahler.hpp"
 #include "ramify/tabulate/law_request.hpp"
 #include "ramify/tabulate/law_table.hpp"
 
@@ -18,7 +22,7 @@ constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 LawRequest request(const char* model, const char* statistic, std::vector<Size> sizes,
                    LawQuantity quantity = LawQuantity::law) {
-  return {Model::parse(model), statistic, quantity, std::move(sizes)};
+  return {Model::parse(model), LawSubject::parse(statistic), quantity, std::move(sizes)};
 }
 
 std::string law_refusal(const LawRequest& request, const LawCost& limit) {
@@ -30,17 +34,32 @@ Size suggested(const std::string& message) {
   return std::stoull(message.substr(message.find("--n ") + 4));
 }
 
-TEST(LawRequest, OfAStatisticWithoutALawNamesThoseThatHaveOne) {
-  const std::string message = law_refusal(request("bst", "size", {10}), {unlimited, unlimited});
-  EXPECT_NE(message.find("strahler, height, depth, external_depth, fill_level, balance, orders, path_length"),
-            std::string::npos)
-      << message;
-  EXPECT_NE(law_refusal(request("bst", "heigth", {10}), {unlimited, unlimited}).find("did you mean height"),
-            std::string::npos);
+std::string subject_refusal(const char* subject) {
+  try {
+    LawSubject::parse(subject);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(LawSubject, WithoutALawNamesThoseThatHaveOne) {
+  EXPECT_NE(
+      subject_refusal("size").find("strahler, registers, height, depth, external_depth, fill_level, balance, "
+                                   "alternate_balance, orders, path_length, sackin, colless, cherries"),
+      std::string::npos)
+      << subject_refusal("size");
+  EXPECT_NE(subject_refusal("heigth").find("did you mean height"), std::string::npos);
+}
+
+TEST(LawSubject, IsEveryStatisticThatIsListedWithALaw) {
+  for (const StatisticInfo& info : statistics())
+    EXPECT_EQ(subject_refusal(info.name.data()).empty(), known_of(info.law.recurrence) >= Known::moments)
+        << info.name;
 }
 
 TEST(LawRequest, OfCovariancesIsForOrdersAlone) {
-  for (const auto& statistic : law_statistics())
+  for (const auto& statistic : law_subjects())
     EXPECT_EQ(
         law_refusal(request("bst", statistic.c_str(), {10}, LawQuantity::covariances), {unlimited, unlimited})
             .empty(),
@@ -49,7 +68,7 @@ TEST(LawRequest, OfCovariancesIsForOrdersAlone) {
 }
 
 TEST(LawRequest, OfASumIsForItsMomentsAlone) {
-  for (const auto& statistic : moment_statistics()) {
+  for (const auto& statistic : moment_subjects()) {
     const auto refused = [&](LawQuantity quantity) {
       return law_refusal(request("bst", statistic.c_str(), {10}, quantity), {unlimited, unlimited});
     };
@@ -76,7 +95,7 @@ TEST(LawRequest, ThatTakesMoreThanAnHourHasToBeMeant) {
 class LawLimit : public testing::TestWithParam<const char*> {};
 
 TEST_P(LawLimit, IsKeptAndTheSizeSuggestedIsNearIt) {
-  for (const auto& statistic : law_statistics()) {
+  for (const auto& statistic : law_subjects()) {
     for (const LawCost& limit : {LawCost{1e9, unlimited}, LawCost{unlimited, 10}, LawCost{1e8, 100}}) {
       const std::string message = law_refusal(request(GetParam(), statistic.c_str(), {Size{1} << 40}), limit);
       ASSERT_NE(message, "") << statistic;
@@ -99,11 +118,15 @@ TEST(LawLimit, GrowsWithEverySize) {
   for (const char* text :
        {"bst", "beta(0.1,0.1)", "beta(1e300,1e-300)", "beta_multinomial(0.1,0.1)", "split(0.01)",
         "patricia(0.5)", "catalan", "aldous(-1.9)", "aldous(-1)", "aldous(-0.999)", "complete", "chain"}) {
-    for (const LawKind kind :
-         {LawKind::bounded, LawKind::height, LawKind::depth, LawKind::order_means, LawKind::order_moments}) {
+    const CountOfOrder counts{OrderCount::Of::nodes};
+    for (const LawWork& work : std::vector<LawWork>{{Strahler::recurrence},
+                                                    {Height::recurrence},
+                                                    {LastNodeDepth::recurrence},
+                                                    {counts, true},
+                                                    {counts}}) {
       LawCost last{0, 0};
       for (Size n = 1; n <= Size{1} << 50; n *= 2) {
-        const LawCost cost = law_cost(Model::parse(text), kind, n);
+        const LawCost cost = law_cost(Model::parse(text), work, n);
         EXPECT_GT(cost.bytes, last.bytes) << text << ' ' << n;
         EXPECT_GT(cost.seconds, last.seconds) << text << ' ' << n;
         last = cost;
@@ -181,7 +204,7 @@ TEST(LawTable, OfExternalDepthsAndSums) {
 TEST(LawTable, StopsWhenCancelled) {
   Cancellation cancellation;
   cancellation.request();
-  for (const auto& statistic : law_statistics())
+  for (const auto& statistic : law_subjects())
     EXPECT_THROW(law_table(request("bst", statistic.c_str(), {5}), cancellation), Interrupted) << statistic;
 }
 
