@@ -367,7 +367,8 @@ double as_real(const test::Shape& shape) {
 
 const std::vector<Additive> additive{{"path_length", as_real<test::path_length>},
                                      {"sackin", as_real<test::sackin>},
-                                     {"colless", as_real<test::colless>}};
+                                     {"colless", as_real<test::colless>},
+                                     {"total_cophenetic", test::total_cophenetic}};
 
 TEST(NodeSumLaw, IsThatOfAllTrees) {
   for (const char* text : {"bst", "catalan", "patricia(0.23)", "beta(2,5)"}) {
@@ -398,6 +399,21 @@ TEST(NodeSumLaw, IsOfEveryStatisticThatIsASum) {
       EXPECT_EQ(std::get<ramify::NodeSum>(info.law.recurrence).toll, info.toll) << info.name;
     }
   }
+}
+
+// m external nodes. Yule trees (bst): Mir, Rossello and Rotger 2013; Rosenberg 2006
+// (m/6 pitchforks, variance 23 m/420 from m = 7). Uniform trees (catalan): 3/5 C(m,4) by Coronado et al.
+// 2019.
+TEST(NodeSumLaw, HasThePublishedMeans) {
+  constexpr Size n = 60;
+  const double m = n + 1;
+  double harmonic = 0;
+  for (Size k = 1; k <= n + 1; ++k) harmonic += 1 / static_cast<double>(k);
+  const ExactMeans yule(Model::parse("bst"), n);
+  const auto expect_mean = [](const ExactMeans& exact, const char* column, double mean) {
+    EXPECT_NEAR(exact.moments(test::column(column), n)->mean / mean, 1, 1e-12) << column;
+  };
+  expect_mean(yule, "total_cophenetic", m * (m + 1) - 2 * m * harmonic);
 }
 
 // Of a BST (Knuth, TAOCP 6.2.2): E path length = 2 (n+1) H_n - 4n, variance 7n^2 - 4(n+1)^2 H2_n - 2(n+1) H_n

@@ -66,6 +66,30 @@ std::vector<std::size_t> orders_below(const Shape& node) {
   return orders;
 }
 
+/// Of every external node, which children lead to it.
+using Path = std::vector<std::size_t>;
+
+void walk_paths(const Shape& shape, Path path, std::vector<Path>& paths) {
+  if (shape.is_external()) paths.push_back(path);
+  path.push_back(0);
+  for (const Shape& child : shape.children) {
+    walk_paths(child, path, paths);
+    ++path.back();
+  }
+}
+
+std::vector<Path> paths_to_leaves(const Shape& shape) {
+  std::vector<Path> paths;
+  walk_paths(shape, {}, paths);
+  return paths;
+}
+
+/// Edges from the root to the last common node.
+std::size_t common(const Path& a, const Path& b) {
+  const auto parting = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
+  return static_cast<std::size_t>(parting.first - a.begin());
+}
+
 }  // namespace
 
 std::uint64_t internal_nodes(const Shape& shape) {
@@ -180,6 +204,14 @@ std::uint64_t colless(const Shape& shape) {
     const auto left = external_nodes(node.children[0]), right = external_nodes(node.children[1]);
     sum += std::max(left, right) - std::min(left, right);
   });
+  return sum;
+}
+
+double total_cophenetic(const Shape& shape) {
+  const auto paths = paths_to_leaves(shape);
+  double sum = 0;
+  for (std::size_t i = 0; i < paths.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) sum += static_cast<double>(common(paths[i], paths[j]));
   return sum;
 }
 

@@ -61,6 +61,9 @@ std::uint64_t sackin(const Shape& shape);
 /// Sum over the nodes with two children of the difference of their numbers of external nodes.
 std::uint64_t colless(const Shape& shape);
 
+/// Sum over the pairs of external nodes of the depth, in edges, of their last common node.
+double total_cophenetic(const Shape& shape);
+
 /// Nodes with two children or more, all of them external once one-child nodes are contracted.
 std::uint64_t cherries(const Shape& shape);
 

@@ -88,6 +88,10 @@ void define_orders(const test::Shape& shape, Values& values) {
   }
 }
 
+void define_indices(const test::Shape& shape, Values& values) {
+  values["total_cophenetic"] = test::total_cophenetic(shape);
+}
+
 /// Of the walks, which are random, the test below takes care.
 Values defined(const test::Shape& shape) {
   const auto levels = test::nodes_per_level(shape);
@@ -106,6 +110,7 @@ Values defined(const test::Shape& shape) {
                 {"balance", real(test::balance(shape))},
                 {"alternate_balance", real(test::balance(shape) + 1)}};
   define_orders(shape, values);
+  define_indices(shape, values);
   return values;
 }
 

@@ -1,9 +1,67 @@
 #include "ramify/statistic/tree_indices.hpp"
 
+#include <algorithm>
+
+#include "ramify/statistic/row_parts.hpp"
+#include "ramify/statistic/toll_sums.hpp"
+
 namespace ramify {
+namespace {
+
+using namespace detail;
+
+// ---- tolls, of the numbers of external nodes of a node's children ----
+
+double pairs(Size leaves) {
+  return static_cast<double>(leaves) * static_cast<double>(leaves - 1) / 2;
+}
+
+/// Below the children, so that the root is left out.
+double cophenetic_toll(std::span<const Size> leaves) {
+  double sum = 0;
+  for (const Size below : leaves) sum += pairs(below);
+  return sum;
+}
+
+// ---- what is read off a measured tree ----
+
+double sum_of(const TreeMeasures& m, Toll toll) {
+  const auto& tolls = all_tolls();
+  return m.toll_sums[static_cast<std::size_t>(std::ranges::find(tolls, toll) - tolls.begin())];
+}
+
+template <Toll toll>
+StatisticValue toll_total(const TreeMeasures& m, OrderPlace) {
+  return real(sum_of(m, toll));
+}
+
+// ---- rows ----
+
+/// A real number, one column.
+constexpr StatisticInfo one_index(std::string_view name, std::string_view convention,
+                                  std::string_view description, std::string_view source, FoldSet folds,
+                                  Read value, ExactLaw law = {}) {
+  return {name, convention, description, source, true, Columns::one, folds, value, law};
+}
+
+/// Read off the sum of a toll.
+constexpr StatisticInfo with_toll(Toll toll, StatisticInfo row) {
+  row.toll = toll;
+  return row;
+}
+
+constexpr StatisticInfo index_rows[] = {
+    with_toll(cophenetic_toll,
+              one_index("total_cophenetic", "edges from the root, pairs of external nodes; exact below 2^53",
+                        "sum over the pairs of the depth of their last common node",
+                        "Mir, Rossello and Rotger 2013", Folded::indices, toll_total<cophenetic_toll>,
+                        {NodeSum{cophenetic_toll}})),
+};
+
+}  // namespace
 
 std::span<const StatisticInfo> tree_indices() {
-  return {};
+  return index_rows;
 }
 
 }  // namespace ramify
