@@ -368,7 +368,8 @@ double as_real(const test::Shape& shape) {
 const std::vector<Additive> additive{{"path_length", as_real<test::path_length>},
                                      {"sackin", as_real<test::sackin>},
                                      {"colless", as_real<test::colless>},
-                                     {"total_cophenetic", test::total_cophenetic}};
+                                     {"total_cophenetic", test::total_cophenetic},
+                                     {"rooted_quartets", test::rooted_quartets}};
 
 TEST(NodeSumLaw, IsThatOfAllTrees) {
   for (const char* text : {"bst", "catalan", "patricia(0.23)", "beta(2,5)"}) {
@@ -401,19 +402,21 @@ TEST(NodeSumLaw, IsOfEveryStatisticThatIsASum) {
   }
 }
 
-// m external nodes. Yule trees (bst): Mir, Rossello and Rotger 2013; Rosenberg 2006
+// m external nodes. Yule trees (bst): Mir, Rossello and Rotger 2013; Coronado et al. 2019; Rosenberg 2006
 // (m/6 pitchforks, variance 23 m/420 from m = 7). Uniform trees (catalan): 3/5 C(m,4) by Coronado et al.
 // 2019.
 TEST(NodeSumLaw, HasThePublishedMeans) {
   constexpr Size n = 60;
-  const double m = n + 1;
+  const double m = n + 1, quartets = m * (m - 1) * (m - 2) * (m - 3) / 24;
   double harmonic = 0;
   for (Size k = 1; k <= n + 1; ++k) harmonic += 1 / static_cast<double>(k);
-  const ExactMeans yule(Model::parse("bst"), n);
+  const ExactMeans yule(Model::parse("bst"), n), uniform(Model::parse("catalan"), n);
   const auto expect_mean = [](const ExactMeans& exact, const char* column, double mean) {
     EXPECT_NEAR(exact.moments(test::column(column), n)->mean / mean, 1, 1e-12) << column;
   };
   expect_mean(yule, "total_cophenetic", m * (m + 1) - 2 * m * harmonic);
+  expect_mean(yule, "rooted_quartets", quartets);
+  expect_mean(uniform, "rooted_quartets", 3 * quartets / 5);
 }
 
 // Of a BST (Knuth, TAOCP 6.2.2): E path length = 2 (n+1) H_n - 4n, variance 7n^2 - 4(n+1)^2 H2_n - 2(n+1) H_n

@@ -90,6 +90,11 @@ std::size_t common(const Path& a, const Path& b) {
   return static_cast<std::size_t>(parting.first - a.begin());
 }
 
+bool part_two_and_two(const Path& a, const Path& b, const Path& c, const Path& d) {
+  const std::size_t all = std::min({common(a, b), common(a, c), common(a, d)});
+  return common(a, b) > all && common(c, d) > all;
+}
+
 }  // namespace
 
 std::uint64_t internal_nodes(const Shape& shape) {
@@ -213,6 +218,19 @@ double total_cophenetic(const Shape& shape) {
   for (std::size_t i = 0; i < paths.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) sum += static_cast<double>(common(paths[i], paths[j]));
   return sum;
+}
+
+double rooted_quartets(const Shape& shape) {
+  const auto p = paths_to_leaves(shape);
+  double balanced = 0;
+  for (std::size_t a = 0; a < p.size(); ++a)
+    for (std::size_t b = 0; b < a; ++b)
+      for (std::size_t c = 0; c < b; ++c)
+        for (std::size_t d = 0; d < c; ++d)
+          if (part_two_and_two(p[a], p[b], p[c], p[d]) || part_two_and_two(p[a], p[c], p[b], p[d]) ||
+              part_two_and_two(p[a], p[d], p[b], p[c]))
+            ++balanced;
+  return 3 * balanced;
 }
 
 std::uint64_t cherries(const Shape& shape) {

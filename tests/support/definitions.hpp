@@ -64,6 +64,9 @@ std::uint64_t colless(const Shape& shape);
 /// Sum over the pairs of external nodes of the depth, in edges, of their last common node.
 double total_cophenetic(const Shape& shape);
 
+/// 3 times the quartets of external nodes that part two and two at their last common node; binary trees.
+double rooted_quartets(const Shape& shape);
+
 /// Nodes with two children or more, all of them external once one-child nodes are contracted.
 std::uint64_t cherries(const Shape& shape);
 

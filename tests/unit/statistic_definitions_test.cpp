@@ -88,8 +88,15 @@ void define_orders(const test::Shape& shape, Values& values) {
   }
 }
 
+bool is_binary(const test::Shape& shape) {
+  return shape.children.size() <= 2 && std::ranges::all_of(shape.children, is_binary);
+}
+
 void define_indices(const test::Shape& shape, Values& values) {
+  const double undefined = std::numeric_limits<double>::quiet_NaN();
+  const auto of_binary = [&](double value) { return is_binary(shape) ? value : undefined; };
   values["total_cophenetic"] = test::total_cophenetic(shape);
+  values["rooted_quartets"] = of_binary(test::rooted_quartets(shape));
 }
 
 /// Of the walks, which are random, the test below takes care.

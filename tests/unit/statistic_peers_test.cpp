@@ -20,7 +20,8 @@ namespace {
 const std::map<std::string_view, const char*> peer_names{{"sackin", "sackin"},
                                                          {"colless", "colless"},
                                                          {"total_internal_path_length", "path_length"},
-                                                         {"total_cophenetic", "total_cophenetic"}};
+                                                         {"total_cophenetic", "total_cophenetic"},
+                                                         {"rooted_quartet_3", "rooted_quartets"}};
 
 /// All digits are those of a double in 15 digits.
 TEST(TreeIndices, AreThoseOfOtherPrograms) {

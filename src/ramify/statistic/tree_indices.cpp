@@ -1,6 +1,7 @@
 #include "ramify/statistic/tree_indices.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "ramify/statistic/row_parts.hpp"
 #include "ramify/statistic/toll_sums.hpp"
@@ -10,10 +11,19 @@ namespace {
 
 using namespace detail;
 
+constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+
 // ---- tolls, of the numbers of external nodes of a node's children ----
 
 double pairs(Size leaves) {
   return static_cast<double>(leaves) * static_cast<double>(leaves - 1) / 2;
+}
+
+/// A toll of nodes with two children: 0 of one-child nodes, undefined of others.
+template <double (*toll)(Size left, Size right)>
+double of_two(std::span<const Size> leaves) {
+  if (leaves.size() == 1) return 0;
+  return leaves.size() == 2 ? toll(leaves[0], leaves[1]) : undefined;
 }
 
 /// Below the children, so that the root is left out.
@@ -21,6 +31,10 @@ double cophenetic_toll(std::span<const Size> leaves) {
   double sum = 0;
   for (const Size below : leaves) sum += pairs(below);
   return sum;
+}
+
+double quartets_of(Size left, Size right) {
+  return 3 * pairs(left) * pairs(right);
 }
 
 // ---- what is read off a measured tree ----
@@ -56,6 +70,11 @@ constexpr StatisticInfo index_rows[] = {
                         "sum over the pairs of the depth of their last common node",
                         "Mir, Rossello and Rotger 2013", Folded::indices, toll_total<cophenetic_toll>,
                         {NodeSum{cophenetic_toll}})),
+    binary(with_toll(
+        of_two<quartets_of>,
+        one_index("rooted_quartets", "quartets of external nodes, a balanced one counts 3; exact below 2^53",
+                  "3 times the quartets that part two and two", "Coronado et al. 2019", Folded::indices,
+                  toll_total<of_two<quartets_of>>, {NodeSum{of_two<quartets_of>}}))),
 };
 
 }  // namespace
