@@ -233,6 +233,14 @@ double rooted_quartets(const Shape& shape) {
   return 3 * balanced;
 }
 
+double b1(const Shape& shape) {
+  double sum = 0;
+  walk_to_nodes(shape, 0, [&](const Shape& node, std::uint64_t edges) {
+    if (edges > 0 && !node.is_external()) sum += 1 / static_cast<double>(height(node) - 1);
+  });
+  return sum;
+}
+
 std::uint64_t cherries(const Shape& shape) {
   std::uint64_t count = 0;
   const auto ends = [](const Shape& child) { return external_nodes(child) == 1; };

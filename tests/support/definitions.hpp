@@ -67,6 +67,9 @@ double total_cophenetic(const Shape& shape);
 /// 3 times the quartets of external nodes that part two and two at their last common node; binary trees.
 double rooted_quartets(const Shape& shape);
 
+/// Sum of 1 over the height, in edges, of every internal node but the root.
+double b1(const Shape& shape);
+
 /// Nodes with two children or more, all of them external once one-child nodes are contracted.
 std::uint64_t cherries(const Shape& shape);
 

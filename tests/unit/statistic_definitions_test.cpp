@@ -97,6 +97,7 @@ void define_indices(const test::Shape& shape, Values& values) {
   const auto of_binary = [&](double value) { return is_binary(shape) ? value : undefined; };
   values["total_cophenetic"] = test::total_cophenetic(shape);
   values["rooted_quartets"] = of_binary(test::rooted_quartets(shape));
+  values["b1"] = test::b1(shape);
 }
 
 /// Of the walks, which are random, the test below takes care.

@@ -21,7 +21,8 @@ const std::map<std::string_view, const char*> peer_names{{"sackin", "sackin"},
                                                          {"colless", "colless"},
                                                          {"total_internal_path_length", "path_length"},
                                                          {"total_cophenetic", "total_cophenetic"},
-                                                         {"rooted_quartet_3", "rooted_quartets"}};
+                                                         {"rooted_quartet_3", "rooted_quartets"},
+                                                         {"b1", "b1"}};
 
 /// All digits are those of a double in 15 digits.
 TEST(TreeIndices, AreThoseOfOtherPrograms) {

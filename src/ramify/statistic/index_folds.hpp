@@ -4,6 +4,8 @@
 #include <concepts>
 #include <cstddef>
 
+#include "ramify/statistic/b1.hpp"
+
 namespace ramify {
 
 /// A list of folds that give one number each: f.index(root), root the value at the root.
@@ -26,6 +28,6 @@ struct IndexList {
 };
 
 /// What is folded for Folded::indices, besides the tolls of toll_sums.hpp.
-using IndexFolds = IndexList<>;
+using IndexFolds = IndexList<B1>;
 
 }  // namespace ramify

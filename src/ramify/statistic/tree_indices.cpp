@@ -49,6 +49,11 @@ StatisticValue toll_total(const TreeMeasures& m, OrderPlace) {
   return real(sum_of(m, toll));
 }
 
+template <class Fold>
+StatisticValue index_value(const TreeMeasures& m, OrderPlace) {
+  return real(m.indices[IndexFolds::place_of<Fold>]);
+}
+
 // ---- rows ----
 
 /// A real number, one column.
@@ -75,6 +80,9 @@ constexpr StatisticInfo index_rows[] = {
         one_index("rooted_quartets", "quartets of external nodes, a balanced one counts 3; exact below 2^53",
                   "3 times the quartets that part two and two", "Coronado et al. 2019", Folded::indices,
                   toll_total<of_two<quartets_of>>, {NodeSum{of_two<quartets_of>}}))),
+    one_index("b1", "edges to the deepest external node below, internal nodes without the root",
+              "sum of 1 over the heights of the nodes", "Shao and Sokal 1990", Folded::indices,
+              index_value<B1>),
 };
 
 }  // namespace
