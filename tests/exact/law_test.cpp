@@ -365,11 +365,10 @@ double as_real(const test::Shape& shape) {
   return static_cast<double>(count(shape));
 }
 
-const std::vector<Additive> additive{{"path_length", as_real<test::path_length>},
-                                     {"sackin", as_real<test::sackin>},
-                                     {"colless", as_real<test::colless>},
-                                     {"total_cophenetic", test::total_cophenetic},
-                                     {"rooted_quartets", test::rooted_quartets}};
+const std::vector<Additive> additive{
+    {"path_length", as_real<test::path_length>}, {"sackin", as_real<test::sackin>},
+    {"colless", as_real<test::colless>},         {"total_cophenetic", test::total_cophenetic},
+    {"rooted_quartets", test::rooted_quartets},  {"b2", test::b2}};
 
 TEST(NodeSumLaw, IsThatOfAllTrees) {
   for (const char* text : {"bst", "catalan", "patricia(0.23)", "beta(2,5)"}) {

@@ -1,6 +1,7 @@
 #include "support/definitions.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <numeric>
 #include <utility>
@@ -93,6 +94,14 @@ std::size_t common(const Path& a, const Path& b) {
 bool part_two_and_two(const Path& a, const Path& b, const Path& c, const Path& d) {
   const std::size_t all = std::min({common(a, b), common(a, c), common(a, d)});
   return common(a, b) > all && common(c, d) > all;
+}
+
+double walk_entropy(const Shape& shape, double probability) {
+  if (shape.is_external()) return -probability * std::log2(probability);
+  double sum = 0;
+  for (const Shape& child : shape.children)
+    sum += walk_entropy(child, probability / static_cast<double>(shape.children.size()));
+  return sum;
 }
 
 }  // namespace
@@ -239,6 +248,10 @@ double b1(const Shape& shape) {
     if (edges > 0 && !node.is_external()) sum += 1 / static_cast<double>(height(node) - 1);
   });
   return sum;
+}
+
+double b2(const Shape& shape) {
+  return walk_entropy(shape, 1);
 }
 
 std::uint64_t cherries(const Shape& shape) {

@@ -70,6 +70,9 @@ double rooted_quartets(const Shape& shape);
 /// Sum of 1 over the height, in edges, of every internal node but the root.
 double b1(const Shape& shape);
 
+/// Entropy, in bits, of the external node that a walk reaches which turns to every child alike.
+double b2(const Shape& shape);
+
 /// Nodes with two children or more, all of them external once one-child nodes are contracted.
 std::uint64_t cherries(const Shape& shape);
 

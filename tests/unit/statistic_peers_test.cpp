@@ -22,7 +22,8 @@ const std::map<std::string_view, const char*> peer_names{{"sackin", "sackin"},
                                                          {"total_internal_path_length", "path_length"},
                                                          {"total_cophenetic", "total_cophenetic"},
                                                          {"rooted_quartet_3", "rooted_quartets"},
-                                                         {"b1", "b1"}};
+                                                         {"b1", "b1"},
+                                                         {"b2", "b2"}};
 
 /// All digits are those of a double in 15 digits.
 TEST(TreeIndices, AreThoseOfOtherPrograms) {

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "ramify/statistic/b1.hpp"
+#include "ramify/statistic/b2.hpp"
 
 namespace ramify {
 
@@ -28,6 +29,6 @@ struct IndexList {
 };
 
 /// What is folded for Folded::indices, besides the tolls of toll_sums.hpp.
-using IndexFolds = IndexList<B1>;
+using IndexFolds = IndexList<B1, B2>;
 
 }  // namespace ramify

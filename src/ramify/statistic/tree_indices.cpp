@@ -83,6 +83,8 @@ constexpr StatisticInfo index_rows[] = {
     one_index("b1", "edges to the deepest external node below, internal nodes without the root",
               "sum of 1 over the heights of the nodes", "Shao and Sokal 1990", Folded::indices,
               index_value<B1>),
+    one_index("b2", "bits", "entropy of the external node that a walk reaches, all children being alike",
+              "Shao and Sokal 1990", Folded::indices, index_value<B2>, {B2::recurrence}),
 };
 
 }  // namespace
