@@ -365,10 +365,13 @@ double as_real(const test::Shape& shape) {
   return static_cast<double>(count(shape));
 }
 
-const std::vector<Additive> additive{
-    {"path_length", as_real<test::path_length>}, {"sackin", as_real<test::sackin>},
-    {"colless", as_real<test::colless>},         {"total_cophenetic", test::total_cophenetic},
-    {"rooted_quartets", test::rooted_quartets},  {"b2", test::b2}};
+const std::vector<Additive> additive{{"path_length", as_real<test::path_length>},
+                                     {"sackin", as_real<test::sackin>},
+                                     {"colless", as_real<test::colless>},
+                                     {"total_cophenetic", test::total_cophenetic},
+                                     {"rooted_quartets", test::rooted_quartets},
+                                     {"b2", test::b2},
+                                     {"average_leaf_depth", test::average_leaf_depth}};
 
 TEST(NodeSumLaw, IsThatOfAllTrees) {
   for (const char* text : {"bst", "catalan", "patricia(0.23)", "beta(2,5)"}) {
@@ -416,6 +419,7 @@ TEST(NodeSumLaw, HasThePublishedMeans) {
   expect_mean(yule, "total_cophenetic", m * (m + 1) - 2 * m * harmonic);
   expect_mean(yule, "rooted_quartets", quartets);
   expect_mean(uniform, "rooted_quartets", 3 * quartets / 5);
+  expect_mean(yule, "average_leaf_depth", 2 * (harmonic - 1));
 }
 
 // Of a BST (Knuth, TAOCP 6.2.2): E path length = 2 (n+1) H_n - 4n, variance 7n^2 - 4(n+1)^2 H2_n - 2(n+1) H_n

@@ -254,6 +254,10 @@ double b2(const Shape& shape) {
   return walk_entropy(shape, 1);
 }
 
+double average_leaf_depth(const Shape& shape) {
+  return static_cast<double>(sackin(shape)) / static_cast<double>(external_nodes(shape));
+}
+
 std::uint64_t cherries(const Shape& shape) {
   std::uint64_t count = 0;
   const auto ends = [](const Shape& child) { return external_nodes(child) == 1; };

@@ -73,6 +73,9 @@ double b1(const Shape& shape);
 /// Entropy, in bits, of the external node that a walk reaches which turns to every child alike.
 double b2(const Shape& shape);
 
+/// Mean and variance (divisor m) of the depths, in edges, of all m external nodes.
+double average_leaf_depth(const Shape& shape);
+
 /// Nodes with two children or more, all of them external once one-child nodes are contracted.
 std::uint64_t cherries(const Shape& shape);
 

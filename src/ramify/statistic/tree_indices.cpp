@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "ramify/statistic/row_parts.hpp"
+#include "ramify/statistic/shape_indices.hpp"
 #include "ramify/statistic/toll_sums.hpp"
 
 namespace ramify {
@@ -12,6 +13,10 @@ namespace {
 using namespace detail;
 
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+
+double leaves_of(const TreeMeasures& m) {
+  return static_cast<double>(m.streams[0]);
+}
 
 // ---- tolls, of the numbers of external nodes of a node's children ----
 
@@ -54,7 +59,15 @@ StatisticValue index_value(const TreeMeasures& m, OrderPlace) {
   return real(m.indices[IndexFolds::place_of<Fold>]);
 }
 
+StatisticValue average_leaf_depth(const TreeMeasures& m, OrderPlace) {
+  return real(static_cast<double>(m.sackin) / leaves_of(m));
+}
+
 // ---- rows ----
+
+constexpr AffineMap over_leaves(Size n) {
+  return {1 / static_cast<double>(n + 1), 0};
+}
 
 /// A real number, one column.
 constexpr StatisticInfo one_index(std::string_view name, std::string_view convention,
@@ -85,6 +98,9 @@ constexpr StatisticInfo index_rows[] = {
               index_value<B1>),
     one_index("b2", "bits", "entropy of the external node that a walk reaches, all children being alike",
               "Shao and Sokal 1990", Folded::indices, index_value<B2>, {B2::recurrence}),
+    one_index("average_leaf_depth", "edges from the root, external nodes", "sackin over external nodes",
+              "Kirkpatrick and Slatkin 1993", {Folded::path_sums, Folded::counts}, average_leaf_depth,
+              {NodeSum{ShapeIndices::sackin_toll}, over_leaves}),
 };
 
 }  // namespace
