@@ -258,6 +258,14 @@ double average_leaf_depth(const Shape& shape) {
   return static_cast<double>(sackin(shape)) / static_cast<double>(external_nodes(shape));
 }
 
+double variance_leaf_depth(const Shape& shape) {
+  const double mean = average_leaf_depth(shape);
+  double sum = 0;
+  for (const Path& path : paths_to_leaves(shape))
+    sum += (static_cast<double>(path.size()) - mean) * (static_cast<double>(path.size()) - mean);
+  return sum / static_cast<double>(external_nodes(shape));
+}
+
 std::uint64_t cherries(const Shape& shape) {
   std::uint64_t count = 0;
   const auto ends = [](const Shape& child) { return external_nodes(child) == 1; };

@@ -75,6 +75,7 @@ double b2(const Shape& shape);
 
 /// Mean and variance (divisor m) of the depths, in edges, of all m external nodes.
 double average_leaf_depth(const Shape& shape);
+double variance_leaf_depth(const Shape& shape);
 
 /// Nodes with two children or more, all of them external once one-child nodes are contracted.
 std::uint64_t cherries(const Shape& shape);

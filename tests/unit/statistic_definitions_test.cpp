@@ -100,6 +100,7 @@ void define_indices(const test::Shape& shape, Values& values) {
   values["b1"] = test::b1(shape);
   values["b2"] = test::b2(shape);
   values["average_leaf_depth"] = test::average_leaf_depth(shape);
+  values["variance_leaf_depth"] = test::variance_leaf_depth(shape);
 }
 
 /// Of the walks, which are random, the test below takes care.

@@ -24,7 +24,8 @@ const std::map<std::string_view, const char*> peer_names{{"sackin", "sackin"},
                                                          {"rooted_quartet_3", "rooted_quartets"},
                                                          {"b1", "b1"},
                                                          {"b2", "b2"},
-                                                         {"average_leaf_depth", "average_leaf_depth"}};
+                                                         {"average_leaf_depth", "average_leaf_depth"},
+                                                         {"variance_leaf_depth", "variance_leaf_depth"}};
 
 /// All digits are those of a double in 15 digits.
 TEST(TreeIndices, AreThoseOfOtherPrograms) {

@@ -6,6 +6,7 @@
 
 #include "ramify/statistic/b1.hpp"
 #include "ramify/statistic/b2.hpp"
+#include "ramify/statistic/leaf_depth_variance.hpp"
 
 namespace ramify {
 
@@ -29,6 +30,6 @@ struct IndexList {
 };
 
 /// What is folded for Folded::indices, besides the tolls of toll_sums.hpp.
-using IndexFolds = IndexList<B1, B2>;
+using IndexFolds = IndexList<B1, B2, LeafDepthVariance>;
 
 }  // namespace ramify

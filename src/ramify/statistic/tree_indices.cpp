@@ -101,6 +101,9 @@ constexpr StatisticInfo index_rows[] = {
     one_index("average_leaf_depth", "edges from the root, external nodes", "sackin over external nodes",
               "Kirkpatrick and Slatkin 1993", {Folded::path_sums, Folded::counts}, average_leaf_depth,
               {NodeSum{ShapeIndices::sackin_toll}, over_leaves}),
+    one_index("variance_leaf_depth", "edges from the root, external nodes; divisor their number",
+              "variance of the depths of all external nodes", "Kirkpatrick and Slatkin 1993", Folded::indices,
+              index_value<LeafDepthVariance>),
 };
 
 }  // namespace
