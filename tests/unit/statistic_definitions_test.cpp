@@ -93,6 +93,7 @@ bool is_binary(const test::Shape& shape) {
 }
 
 void define_indices(const test::Shape& shape, Values& values) {
+  const auto levels = test::nodes_per_level(shape);
   const double undefined = std::numeric_limits<double>::quiet_NaN();
   const auto of_binary = [&](double value) { return is_binary(shape) ? value : undefined; };
   values["total_cophenetic"] = test::total_cophenetic(shape);
@@ -101,6 +102,8 @@ void define_indices(const test::Shape& shape, Values& values) {
   values["b2"] = test::b2(shape);
   values["average_leaf_depth"] = test::average_leaf_depth(shape);
   values["variance_leaf_depth"] = test::variance_leaf_depth(shape);
+  values["maximum_width_over_maximum_depth"] =
+      quotient(*std::max_element(levels.begin(), levels.end()), test::height(shape) - 1);
 }
 
 /// Of the walks, which are random, the test below takes care.

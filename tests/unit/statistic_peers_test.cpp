@@ -17,15 +17,17 @@ namespace ramify {
 namespace {
 
 /// Their peer_names, and ours.
-const std::map<std::string_view, const char*> peer_names{{"sackin", "sackin"},
-                                                         {"colless", "colless"},
-                                                         {"total_internal_path_length", "path_length"},
-                                                         {"total_cophenetic", "total_cophenetic"},
-                                                         {"rooted_quartet_3", "rooted_quartets"},
-                                                         {"b1", "b1"},
-                                                         {"b2", "b2"},
-                                                         {"average_leaf_depth", "average_leaf_depth"},
-                                                         {"variance_leaf_depth", "variance_leaf_depth"}};
+const std::map<std::string_view, const char*> peer_names{
+    {"sackin", "sackin"},
+    {"colless", "colless"},
+    {"total_internal_path_length", "path_length"},
+    {"total_cophenetic", "total_cophenetic"},
+    {"rooted_quartet_3", "rooted_quartets"},
+    {"b1", "b1"},
+    {"b2", "b2"},
+    {"average_leaf_depth", "average_leaf_depth"},
+    {"variance_leaf_depth", "variance_leaf_depth"},
+    {"max_width_over_max_depth", "maximum_width_over_maximum_depth"}};
 
 /// All digits are those of a double in 15 digits.
 TEST(TreeIndices, AreThoseOfOtherPrograms) {

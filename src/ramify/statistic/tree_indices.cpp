@@ -63,6 +63,10 @@ StatisticValue average_leaf_depth(const TreeMeasures& m, OrderPlace) {
   return real(static_cast<double>(m.sackin) / leaves_of(m));
 }
 
+StatisticValue width_over_depth(const TreeMeasures& m, OrderPlace) {
+  return quotient(static_cast<double>(m.width), static_cast<double>(m.height - 1));
+}
+
 // ---- rows ----
 
 constexpr AffineMap over_leaves(Size n) {
@@ -104,6 +108,9 @@ constexpr StatisticInfo index_rows[] = {
     one_index("variance_leaf_depth", "edges from the root, external nodes; divisor their number",
               "variance of the depths of all external nodes", "Kirkpatrick and Slatkin 1993", Folded::indices,
               index_value<LeafDepthVariance>),
+    one_index("maximum_width_over_maximum_depth", "external nodes counted, depth in edges",
+              "nodes of the fullest level over the largest depth", "Colijn and Gardy 2014",
+              {Folded::profile, Folded::height}, width_over_depth),
 };
 
 }  // namespace
