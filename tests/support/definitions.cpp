@@ -96,6 +96,15 @@ bool part_two_and_two(const Path& a, const Path& b, const Path& c, const Path& d
   return common(a, b) > all && common(c, d) > all;
 }
 
+/// Look at the external nodes below either child of every node that has two.
+void visit_forks(const Shape& shape, const std::function<void(double, double)>& look) {
+  visit(shape, [&](const Shape& node) {
+    if (node.children.size() == 2)
+      look(static_cast<double>(external_nodes(node.children[0])),
+           static_cast<double>(external_nodes(node.children[1])));
+  });
+}
+
 double walk_entropy(const Shape& shape, double probability) {
   if (shape.is_external()) return -probability * std::log2(probability);
   double sum = 0;
@@ -264,6 +273,15 @@ double variance_leaf_depth(const Shape& shape) {
   for (const Path& path : paths_to_leaves(shape))
     sum += (static_cast<double>(path.size()) - mean) * (static_cast<double>(path.size()) - mean);
   return sum / static_cast<double>(external_nodes(shape));
+}
+
+double stairs1(const Shape& shape) {
+  double forks = 0, uneven = 0;
+  visit_forks(shape, [&](double left, double right) {
+    ++forks;
+    uneven += left != right ? 1 : 0;
+  });
+  return uneven / forks;
 }
 
 std::uint64_t cherries(const Shape& shape) {

@@ -77,6 +77,11 @@ double b2(const Shape& shape);
 double average_leaf_depth(const Shape& shape);
 double variance_leaf_depth(const Shape& shape);
 
+/// Of the nodes with two children the share whose sides have different numbers of external nodes, and the
+/// mean of the smaller over the larger; NaN where there is no such node. Trees of at most two children a
+/// node.
+double stairs1(const Shape& shape);
+
 /// Nodes with two children or more, all of them external once one-child nodes are contracted.
 std::uint64_t cherries(const Shape& shape);
 

@@ -104,6 +104,7 @@ void define_indices(const test::Shape& shape, Values& values) {
   values["variance_leaf_depth"] = test::variance_leaf_depth(shape);
   values["maximum_width_over_maximum_depth"] =
       quotient(*std::max_element(levels.begin(), levels.end()), test::height(shape) - 1);
+  values["stairs1"] = of_binary(test::stairs1(shape));
 }
 
 /// Of the walks, which are random, the test below takes care.

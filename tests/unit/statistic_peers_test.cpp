@@ -27,7 +27,8 @@ const std::map<std::string_view, const char*> peer_names{
     {"b2", "b2"},
     {"average_leaf_depth", "average_leaf_depth"},
     {"variance_leaf_depth", "variance_leaf_depth"},
-    {"max_width_over_max_depth", "maximum_width_over_maximum_depth"}};
+    {"max_width_over_max_depth", "maximum_width_over_maximum_depth"},
+    {"stairs1", "stairs1"}};
 
 /// All digits are those of a double in 15 digits.
 TEST(TreeIndices, AreThoseOfOtherPrograms) {

@@ -42,6 +42,10 @@ double quartets_of(Size left, Size right) {
   return 3 * pairs(left) * pairs(right);
 }
 
+double differ(Size left, Size right) {
+  return left == right ? 0 : 1;
+}
+
 // ---- what is read off a measured tree ----
 
 double sum_of(const TreeMeasures& m, Toll toll) {
@@ -52,6 +56,12 @@ double sum_of(const TreeMeasures& m, Toll toll) {
 template <Toll toll>
 StatisticValue toll_total(const TreeMeasures& m, OrderPlace) {
   return real(sum_of(m, toll));
+}
+
+/// Over the nodes with two children.
+template <Toll toll>
+StatisticValue mean_over_forks(const TreeMeasures& m, OrderPlace) {
+  return quotient(sum_of(m, toll), leaves_of(m) - 1);
 }
 
 template <class Fold>
@@ -72,6 +82,9 @@ StatisticValue width_over_depth(const TreeMeasures& m, OrderPlace) {
 constexpr AffineMap over_leaves(Size n) {
   return {1 / static_cast<double>(n + 1), 0};
 }
+constexpr AffineMap over_nodes(Size n) {
+  return {1 / static_cast<double>(n), 0};
+}
 
 /// A real number, one column.
 constexpr StatisticInfo one_index(std::string_view name, std::string_view convention,
@@ -85,6 +98,8 @@ constexpr StatisticInfo with_toll(Toll toll, StatisticInfo row) {
   row.toll = toll;
   return row;
 }
+
+constexpr FoldSet counts_and_indices{Folded::counts, Folded::indices};
 
 constexpr StatisticInfo index_rows[] = {
     with_toll(cophenetic_toll,
@@ -111,6 +126,11 @@ constexpr StatisticInfo index_rows[] = {
     one_index("maximum_width_over_maximum_depth", "external nodes counted, depth in edges",
               "nodes of the fullest level over the largest depth", "Colijn and Gardy 2014",
               {Folded::profile, Folded::height}, width_over_depth),
+    binary(with_toll(of_two<differ>,
+                     one_index("stairs1", "external nodes, over the nodes with two children",
+                               "share of the nodes whose sides have different numbers of external nodes",
+                               "Norstrom et al. 2012", counts_and_indices, mean_over_forks<of_two<differ>>,
+                               {NodeSum{of_two<differ>}, over_nodes}))),
 };
 
 }  // namespace
