@@ -372,7 +372,8 @@ const std::vector<Additive> additive{{"path_length", as_real<test::path_length>}
                                      {"rooted_quartets", test::rooted_quartets},
                                      {"b2", test::b2},
                                      {"average_leaf_depth", test::average_leaf_depth},
-                                     {"stairs1", test::stairs1}};
+                                     {"stairs1", test::stairs1},
+                                     {"stairs2", test::stairs2}};
 
 TEST(NodeSumLaw, IsThatOfAllTrees) {
   for (const char* text : {"bst", "catalan", "patricia(0.23)", "beta(2,5)"}) {

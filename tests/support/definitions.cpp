@@ -284,6 +284,15 @@ double stairs1(const Shape& shape) {
   return uneven / forks;
 }
 
+double stairs2(const Shape& shape) {
+  double forks = 0, sum = 0;
+  visit_forks(shape, [&](double left, double right) {
+    ++forks;
+    sum += std::min(left / right, right / left);
+  });
+  return sum / forks;
+}
+
 std::uint64_t cherries(const Shape& shape) {
   std::uint64_t count = 0;
   const auto ends = [](const Shape& child) { return external_nodes(child) == 1; };

@@ -81,6 +81,7 @@ double variance_leaf_depth(const Shape& shape);
 /// mean of the smaller over the larger; NaN where there is no such node. Trees of at most two children a
 /// node.
 double stairs1(const Shape& shape);
+double stairs2(const Shape& shape);
 
 /// Nodes with two children or more, all of them external once one-child nodes are contracted.
 std::uint64_t cherries(const Shape& shape);

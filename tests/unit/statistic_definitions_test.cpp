@@ -105,6 +105,7 @@ void define_indices(const test::Shape& shape, Values& values) {
   values["maximum_width_over_maximum_depth"] =
       quotient(*std::max_element(levels.begin(), levels.end()), test::height(shape) - 1);
   values["stairs1"] = of_binary(test::stairs1(shape));
+  values["stairs2"] = of_binary(test::stairs2(shape));
 }
 
 /// Of the walks, which are random, the test below takes care.

@@ -46,6 +46,10 @@ double differ(Size left, Size right) {
   return left == right ? 0 : 1;
 }
 
+double smaller_over_larger(Size left, Size right) {
+  return static_cast<double>(std::min(left, right)) / static_cast<double>(std::max(left, right));
+}
+
 // ---- what is read off a measured tree ----
 
 double sum_of(const TreeMeasures& m, Toll toll) {
@@ -131,6 +135,11 @@ constexpr StatisticInfo index_rows[] = {
                                "share of the nodes whose sides have different numbers of external nodes",
                                "Norstrom et al. 2012", counts_and_indices, mean_over_forks<of_two<differ>>,
                                {NodeSum{of_two<differ>}, over_nodes}))),
+    binary(with_toll(of_two<smaller_over_larger>,
+                     one_index("stairs2", "external nodes, over the nodes with two children",
+                               "mean of the smaller over the larger side", "Norstrom et al. 2012",
+                               counts_and_indices, mean_over_forks<of_two<smaller_over_larger>>,
+                               {NodeSum{of_two<smaller_over_larger>}, over_nodes}))),
 };
 
 }  // namespace
