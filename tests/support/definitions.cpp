@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <numeric>
+#include <string>
 #include <utility>
 
 namespace ramify::test {
@@ -103,6 +104,15 @@ void visit_forks(const Shape& shape, const std::function<void(double, double)>& 
       look(static_cast<double>(external_nodes(node.children[0])),
            static_cast<double>(external_nodes(node.children[1])));
   });
+}
+
+/// The same for shapes that differ by the order of children and by one-child nodes alone.
+std::string unordered_word(const Shape& shape) {
+  if (shape.children.size() == 1) return unordered_word(shape.children[0]);
+  std::vector<std::string> words;
+  for (const Shape& child : shape.children) words.push_back(unordered_word(child));
+  std::sort(words.begin(), words.end());
+  return "(" + std::accumulate(words.begin(), words.end(), std::string()) + ")";
 }
 
 double walk_entropy(const Shape& shape, double probability) {
@@ -291,6 +301,15 @@ double stairs2(const Shape& shape) {
     sum += std::min(left / right, right / left);
   });
   return sum / forks;
+}
+
+std::uint64_t symmetry_nodes(const Shape& shape) {
+  std::uint64_t count = 0;
+  visit(shape, [&](const Shape& node) {
+    if (node.children.size() == 2 && unordered_word(node.children[0]) != unordered_word(node.children[1]))
+      ++count;
+  });
+  return count;
 }
 
 std::uint64_t cherries(const Shape& shape) {

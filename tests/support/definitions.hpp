@@ -83,6 +83,10 @@ double variance_leaf_depth(const Shape& shape);
 double stairs1(const Shape& shape);
 double stairs2(const Shape& shape);
 
+/// Nodes with two children, whose subtrees are not the same when left and right are not told apart. Trees of
+/// at most two children a node, one-child nodes contracted.
+std::uint64_t symmetry_nodes(const Shape& shape);
+
 /// Nodes with two children or more, all of them external once one-child nodes are contracted.
 std::uint64_t cherries(const Shape& shape);
 

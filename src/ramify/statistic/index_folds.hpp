@@ -7,6 +7,7 @@
 #include "ramify/statistic/b1.hpp"
 #include "ramify/statistic/b2.hpp"
 #include "ramify/statistic/leaf_depth_variance.hpp"
+#include "ramify/statistic/symmetry_nodes.hpp"
 
 namespace ramify {
 
@@ -30,6 +31,6 @@ struct IndexList {
 };
 
 /// What is folded for Folded::indices, besides the tolls of toll_sums.hpp.
-using IndexFolds = IndexList<B1, B2, LeafDepthVariance>;
+using IndexFolds = IndexList<B1, B2, LeafDepthVariance, SymmetryNodes>;
 
 }  // namespace ramify

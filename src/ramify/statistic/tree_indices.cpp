@@ -140,6 +140,9 @@ constexpr StatisticInfo index_rows[] = {
                                "mean of the smaller over the larger side", "Norstrom et al. 2012",
                                counts_and_indices, mean_over_forks<of_two<smaller_over_larger>>,
                                {NodeSum{of_two<smaller_over_larger>}, over_nodes}))),
+    binary(one_index("symmetry_nodes", "nodes with two children that are not symmetric",
+                     "nodes whose two subtrees differ in shape", "Kersting and Fischer 2021", Folded::indices,
+                     index_value<SymmetryNodes>)),
 };
 
 }  // namespace
