@@ -373,7 +373,8 @@ const std::vector<Additive> additive{{"path_length", as_real<test::path_length>}
                                      {"b2", test::b2},
                                      {"average_leaf_depth", test::average_leaf_depth},
                                      {"stairs1", test::stairs1},
-                                     {"stairs2", test::stairs2}};
+                                     {"stairs2", test::stairs2},
+                                     {"pitchforks", as_real<test::pitchforks>}};
 
 TEST(NodeSumLaw, IsThatOfAllTrees) {
   for (const char* text : {"bst", "catalan", "patricia(0.23)", "beta(2,5)"}) {
@@ -421,6 +422,8 @@ TEST(NodeSumLaw, HasThePublishedMeans) {
   expect_mean(yule, "total_cophenetic", m * (m + 1) - 2 * m * harmonic);
   expect_mean(yule, "rooted_quartets", quartets);
   expect_mean(uniform, "rooted_quartets", 3 * quartets / 5);
+  expect_mean(yule, "pitchforks", m / 6);
+  EXPECT_NEAR(yule.moments(test::column("pitchforks"), n)->variance, 23 * m / 420, 1e-10);
   expect_mean(yule, "average_leaf_depth", 2 * (harmonic - 1));
 }
 

@@ -312,6 +312,14 @@ std::uint64_t symmetry_nodes(const Shape& shape) {
   return count;
 }
 
+std::uint64_t pitchforks(const Shape& shape) {
+  std::uint64_t count = 0;
+  visit(shape, [&](const Shape& node) {
+    if (node.children.size() > 1 && external_nodes(node) == 3) ++count;
+  });
+  return count;
+}
+
 std::uint64_t cherries(const Shape& shape) {
   std::uint64_t count = 0;
   const auto ends = [](const Shape& child) { return external_nodes(child) == 1; };

@@ -87,6 +87,9 @@ double stairs2(const Shape& shape);
 /// at most two children a node, one-child nodes contracted.
 std::uint64_t symmetry_nodes(const Shape& shape);
 
+/// Nodes with two children or more and three external nodes below them.
+std::uint64_t pitchforks(const Shape& shape);
+
 /// Nodes with two children or more, all of them external once one-child nodes are contracted.
 std::uint64_t cherries(const Shape& shape);
 

@@ -107,6 +107,7 @@ void define_indices(const test::Shape& shape, Values& values) {
   values["stairs1"] = of_binary(test::stairs1(shape));
   values["stairs2"] = of_binary(test::stairs2(shape));
   values["symmetry_nodes"] = of_binary(static_cast<double>(test::symmetry_nodes(shape)));
+  values["pitchforks"] = static_cast<double>(test::pitchforks(shape));
 }
 
 /// Of the walks, which are random, the test below takes care.

@@ -30,7 +30,8 @@ const std::map<std::string_view, const char*> peer_names{
     {"max_width_over_max_depth", "maximum_width_over_maximum_depth"},
     {"stairs1", "stairs1"},
     {"stairs2", "stairs2"},
-    {"symmetry_nodes", "symmetry_nodes"}};
+    {"symmetry_nodes", "symmetry_nodes"},
+    {"pitchforks", "pitchforks"}};
 
 /// All digits are those of a double in 15 digits.
 TEST(TreeIndices, AreThoseOfOtherPrograms) {

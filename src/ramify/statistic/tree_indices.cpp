@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 #include "ramify/statistic/row_parts.hpp"
 #include "ramify/statistic/shape_indices.hpp"
@@ -50,6 +51,10 @@ double smaller_over_larger(Size left, Size right) {
   return static_cast<double>(std::min(left, right)) / static_cast<double>(std::max(left, right));
 }
 
+double pitchfork_toll(std::span<const Size> leaves) {
+  return leaves.size() > 1 && std::accumulate(leaves.begin(), leaves.end(), Size{0}) == 3 ? 1 : 0;
+}
+
 // ---- what is read off a measured tree ----
 
 double sum_of(const TreeMeasures& m, Toll toll) {
@@ -60,6 +65,11 @@ double sum_of(const TreeMeasures& m, Toll toll) {
 template <Toll toll>
 StatisticValue toll_total(const TreeMeasures& m, OrderPlace) {
   return real(sum_of(m, toll));
+}
+
+template <Toll toll>
+StatisticValue toll_count(const TreeMeasures& m, OrderPlace) {
+  return whole(static_cast<std::uint64_t>(sum_of(m, toll)));
 }
 
 /// Over the nodes with two children.
@@ -143,6 +153,15 @@ constexpr StatisticInfo index_rows[] = {
     binary(one_index("symmetry_nodes", "nodes with two children that are not symmetric",
                      "nodes whose two subtrees differ in shape", "Kersting and Fischer 2021", Folded::indices,
                      index_value<SymmetryNodes>)),
+    with_toll(pitchfork_toll, {"pitchforks",
+                               "nodes with two children or more",
+                               "nodes with three external nodes below",
+                               "Rosenberg 2006",
+                               false,
+                               Columns::one,
+                               Folded::indices,
+                               toll_count<pitchfork_toll>,
+                               {NodeSum{pitchfork_toll}}}),
 };
 
 }  // namespace
