@@ -320,6 +320,22 @@ std::uint64_t pitchforks(const Shape& shape) {
   return count;
 }
 
+double j1(const Shape& shape) {
+  double sum = 0, weights = 0;
+  visit(shape, [&](const Shape& node) {
+    if (node.is_external()) return;
+    const auto leaves = static_cast<double>(external_nodes(node));
+    double entropy = 0;
+    for (const Shape& child : node.children) {
+      const double share = static_cast<double>(external_nodes(child)) / leaves;
+      if (share < 1) entropy -= share * std::log(share) / std::log(static_cast<double>(node.children.size()));
+    }
+    sum += leaves * entropy;
+    weights += leaves;
+  });
+  return sum / weights;
+}
+
 std::uint64_t cherries(const Shape& shape) {
   std::uint64_t count = 0;
   const auto ends = [](const Shape& child) { return external_nodes(child) == 1; };

@@ -90,6 +90,10 @@ std::uint64_t symmetry_nodes(const Shape& shape);
 /// Nodes with two children or more and three external nodes below them.
 std::uint64_t pitchforks(const Shape& shape);
 
+/// Mean over the internal nodes, weighted by the external nodes below, of the entropy of how these divide
+/// among the children, to the base of their number; 0 of a one-child node. NaN of a single external node.
+double j1(const Shape& shape);
+
 /// Nodes with two children or more, all of them external once one-child nodes are contracted.
 std::uint64_t cherries(const Shape& shape);
 

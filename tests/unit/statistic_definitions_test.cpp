@@ -108,6 +108,7 @@ void define_indices(const test::Shape& shape, Values& values) {
   values["stairs2"] = of_binary(test::stairs2(shape));
   values["symmetry_nodes"] = of_binary(static_cast<double>(test::symmetry_nodes(shape)));
   values["pitchforks"] = static_cast<double>(test::pitchforks(shape));
+  values["j1"] = test::j1(shape);
 }
 
 /// Of the walks, which are random, the test below takes care.

@@ -31,7 +31,8 @@ const std::map<std::string_view, const char*> peer_names{
     {"stairs1", "stairs1"},
     {"stairs2", "stairs2"},
     {"symmetry_nodes", "symmetry_nodes"},
-    {"pitchforks", "pitchforks"}};
+    {"pitchforks", "pitchforks"},
+    {"j_one", "j1"}};
 
 /// All digits are those of a double in 15 digits.
 TEST(TreeIndices, AreThoseOfOtherPrograms) {

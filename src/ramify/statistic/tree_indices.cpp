@@ -1,6 +1,7 @@
 #include "ramify/statistic/tree_indices.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -55,6 +56,16 @@ double pitchfork_toll(std::span<const Size> leaves) {
   return leaves.size() > 1 && std::accumulate(leaves.begin(), leaves.end(), Size{0}) == 3 ? 1 : 0;
 }
 
+/// Leaves times the entropy of how they divide, to the base of the number of children.
+double entropy_toll(std::span<const Size> leaves) {
+  if (leaves.size() == 1) return 0;
+  const auto all = static_cast<double>(std::accumulate(leaves.begin(), leaves.end(), Size{0}));
+  double sum = 0;
+  for (const Size below : leaves)
+    sum -= static_cast<double>(below) * std::log(static_cast<double>(below) / all);
+  return sum / std::log(static_cast<double>(leaves.size()));
+}
+
 // ---- what is read off a measured tree ----
 
 double sum_of(const TreeMeasures& m, Toll toll) {
@@ -76,6 +87,11 @@ StatisticValue toll_count(const TreeMeasures& m, OrderPlace) {
 template <Toll toll>
 StatisticValue mean_over_forks(const TreeMeasures& m, OrderPlace) {
   return quotient(sum_of(m, toll), leaves_of(m) - 1);
+}
+
+template <Toll toll>
+StatisticValue mean_over_leaf_depths(const TreeMeasures& m, OrderPlace) {
+  return quotient(sum_of(m, toll), static_cast<double>(m.sackin));
 }
 
 template <class Fold>
@@ -162,6 +178,11 @@ constexpr StatisticInfo index_rows[] = {
                                Folded::indices,
                                toll_count<pitchfork_toll>,
                                {NodeSum{pitchfork_toll}}}),
+    with_toll(
+        entropy_toll,
+        one_index("j1", "external nodes of equal size; entropy to the base of a node's children",
+                  "mean balance of the nodes, weighted by the external nodes below", "Lemant et al. 2022",
+                  {Folded::indices, Folded::path_sums}, mean_over_leaf_depths<entropy_toll>)),
 };
 
 }  // namespace
