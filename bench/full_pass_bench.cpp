@@ -15,10 +15,10 @@ namespace {
 void full_pass(benchmark::State& state, const Model& model) {
   const auto n = static_cast<Size>(state.range(0));
   const Cancellation cancellation;
-  const auto lean = make_tree_sampler({model, grow_lean, max_size, &cancellation});
-  const auto full = make_tree_sampler({model, grow_full, max_size, &cancellation});
+  const auto lean = make_tree_sampler({model, whole_trees(orders_and_height), max_size, &cancellation});
+  const auto full = make_tree_sampler({model, whole_trees(orders_and_paths), max_size, &cancellation});
   const StreamKey key{1996, model.stream_cell(n)};
-  const auto all = make_tree_sampler({model, grow_all, max_size, &cancellation});
+  const auto all = make_tree_sampler({model, whole_trees(all_but_indices), max_size, &cancellation});
   double lean_time = 0, full_time = 0, all_time = 0;
   std::uint64_t replicate = 0;
   for (auto _ : state) {

@@ -41,7 +41,7 @@ class Timed {
 void graft(benchmark::State& state, const Model& model, SamplingMethod method) {
   const auto grown_n = static_cast<Size>(state.range(0)), n = static_cast<Size>(state.range(1));
   const auto trees = static_cast<int>(state.range(2));
-  Timed whole(model, grow_lean, grown_n), grafted(model, method, n);
+  Timed whole(model, whole_trees(orders_and_height), grown_n), grafted(model, method, n);
   for (auto _ : state) {
     whole.sample();
     for (int i = 0; i < trees; ++i) grafted.sample();
@@ -67,12 +67,12 @@ void add(const std::string& name, const char* text, SamplingMethod method, Size 
 
 const bool registered = [] {
   for (const char* text : {"bst", "beta(2,2)", "beta(10,80)", "dst(0.23)", "patricia(0.23)", "catalan"})
-    add("joint", text, {Pass::lean, true}, 10'000'000, 5);
+    add("joint", text, {orders_and_height, true}, 10'000'000, 5);
   for (const char* text : {"bst", "beta(2,2)", "dst(0.23)", "patricia(0.23)", "catalan"})
-    add("strahler", text, {Pass::strahler, true}, 1'000'000'000, 3);
+    add("strahler", text, {Folded::strahler, true}, 1'000'000'000, 3);
   for (const char* text : {"bst", "patricia(0.23)"}) {
-    add("height", text, {Pass::height, true}, 1'000'000'000, 3);
-    add("strahler", text, {Pass::strahler, true}, 1'000'000'000'000, 1);
+    add("height", text, {Folded::height, true}, 1'000'000'000, 3);
+    add("strahler", text, {Folded::strahler, true}, 1'000'000'000'000, 1);
   }
   return true;
 }();

@@ -24,7 +24,7 @@ class Timed {
       : n_(sampled.n),
         model_(Model::parse(sampled.model)),
         key_{1996, model_.stream_cell(n_)},
-        sampler_(make_tree_sampler({model_, grow_lean, n_, &cancellation})) {}
+        sampler_(make_tree_sampler({model_, whole_trees(orders_and_height), n_, &cancellation})) {}
 
   void sample(std::uint64_t replicate) {
     TreeMeasures measures;

@@ -14,7 +14,7 @@ Claim depth_claim() {
       {"C6",
        "D_n/log n -> 1/mu: depth of the last node of a random split tree",
        "K96 Theorem 2.1; DK95 Theorem 1",
-       {"depth", growth_sizes, "split trees whose constant 1/mu is known", has<depth_constant>},
+       {&statistic::depth, growth_sizes, "split trees whose constant 1/mu is known", has<depth_constant>},
        {},
        {}},
       {"K96 Theorem 2.1", "E D_n ~ log(n)/mu", "nodes on the path to the last node, root counted",

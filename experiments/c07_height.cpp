@@ -16,7 +16,7 @@ Claim height_claim() {
       {"C7",
        "H_n/log n -> gamma: height of a random split tree",
        "K96 Theorem 2.2; DK95 Theorem 2",
-       {"height", growth_sizes, "split trees whose constant gamma is known", has<height_constant>},
+       {&statistic::height, growth_sizes, "split trees whose constant gamma is known", has<height_constant>},
        {},
        {}},
       {"K96 Theorem 2.2", "H_n ~ gamma log(n)", "nodes on the longest path, root and external node counted",

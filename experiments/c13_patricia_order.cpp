@@ -16,7 +16,7 @@ Claim patricia_order_claim() {
       {"C13",
        "S_n/log n -> 1/log(1/min(p,q)): Horton-Strahler number of random PATRICIA trees",
        "K96 Fact 3.4 and Theorem B.3",
-       {"strahler", growth_sizes, "random PATRICIA trees", is_of<Patricia>},
+       {&statistic::strahler, growth_sizes, "random PATRICIA trees", is_of<Patricia>},
        {},
        {}},
       {"K96 Fact 3.4, Theorem B.3", "S_n ~ log(n)/log(1/p)", "order of the root, leaf order 0",

@@ -13,7 +13,7 @@ Claim patricia_fill_claim() {
   return growth_law_claim({"C17",
                            "F_n/log n -> 1/log(1/min(p,q)): fill level of random PATRICIA trees",
                            "K96 Corollary B.2",
-                           {"fill_level", growth_sizes, "random PATRICIA trees", is_of<Patricia>},
+                           {&statistic::fill_level, growth_sizes, "random PATRICIA trees", is_of<Patricia>},
                            {},
                            {}},
                           {"K96 Corollary B.2", "F_n ~ log(n)/log(1/p)",

@@ -18,19 +18,12 @@ namespace ramify {
 namespace {
 
 constexpr const char* convention = "order of the root, leaf order 0";
-constexpr const char* statistic = "strahler";
 const double log_3_constant = 1 / std::log(3.0);
 
 GrowthClaim tight() {
-  return {"C20.2",
-          "K96 5.1.6 and App. C",
-          "E S_n ~ log_3 n, bst (bound \"believed to be tight\")",
-          convention,
-          statistic,
-          log_3_constant,
-          0.002,
-          Approach::settles,
-          ""};
+  return {"C20.2",    "K96 5.1.6 and App. C", "E S_n ~ log_3 n, bst (bound \"believed to be tight\")",
+          convention, statistic::strahler,    log_3_constant,
+          0.002,      Approach::settles,      ""};
 }
 
 /// One-sided: the whole interval of the growth constant lies at or below 1/log 3.
@@ -72,7 +65,7 @@ Verdict finite_bound(const std::vector<SizedMean>& means) {
 
 std::vector<Verdict> judge_order(const std::vector<ModelCells>& models) {
   const Verdict growth = judge_growth(tight(), models.front());
-  return {upper_bound(growth), growth, finite_bound(means_of(models.front(), statistic))};
+  return {upper_bound(growth), growth, finite_bound(means_of(models.front(), statistic::strahler))};
 }
 
 /// What is left of the mean when the law through the first point is taken off: a level line for the true
@@ -88,7 +81,7 @@ PlotSeries residual(const std::string& label, double constant, const std::vector
 
 std::vector<NamedPlot> plot_order(const std::vector<ModelCells>& models) {
   const ModelCells& bst = models.front();
-  const auto means = means_of(bst, statistic);
+  const auto means = means_of(bst, statistic::strahler);
   Plot plot{"Horton-Strahler number of random binary search trees",
             "sampled mean minus the law through the first point; a law that holds stays level (two standard "
             "errors)",
@@ -112,7 +105,7 @@ Claim bst_order_claim() {
   return {"C20",
           "S_n <= (1+eps) log_3 n, believed tight: Horton-Strahler number of random BSTs",
           "K96 Theorem C.3, 3.2.2, 5.1.6",
-          {statistic, growth_sizes, "random binary search trees, bst", is_of<Bst>},
+          {&statistic::strahler, growth_sizes, "random binary search trees, bst", is_of<Bst>},
           judge_order,
           plot_order};
 }

@@ -15,12 +15,11 @@ namespace ramify {
 namespace {
 
 constexpr const char* convention = "order of the root, leaf order 0";
-constexpr const char* statistic = "strahler";
 
 GrowthClaim mean_growth(const Model& catalan) {
-  return {"C22.1",    "K96 B.1.2",       "E S_n ~ log_4 n, catalan",
-          convention, statistic,         strahler_constant(catalan).value().value,
-          0.02,       Approach::settles, ""};
+  return {"C22.1",    "K96 B.1.2",         "E S_n ~ log_4 n, catalan",
+          convention, statistic::strahler, strahler_constant(catalan).value().value,
+          0.02,       Approach::settles,   ""};
 }
 
 /// Bounded variance: its slope on log n is 0. Standard error of a variance from its own spread: v
@@ -30,7 +29,7 @@ Verdict bounded_variance(const ModelCells& catalan) {
   std::vector<SizedMean> variances;
   double largest = 0;
   for (const auto& cell : catalan.cells) {
-    const double variance = cell.result.column(statistic).variance;
+    const double variance = cell.result.column(statistic::strahler).variance;
     largest = std::max(largest, variance);
     variances.push_back({static_cast<double>(cell.result.n), variance,
                          variance * std::sqrt(2 / static_cast<double>(cell.result.replicates))});
@@ -72,7 +71,7 @@ Claim catalan_order_claim() {
   return {"C22",
           "E S_n ~ log_4 n, Var S_n = O(1): Horton-Strahler number of equiprobable binary trees",
           "K96 B.1.2; Flajolet, Raoult, Vuillemin 1979",
-          {statistic, growth_sizes, "equiprobable binary trees, catalan", is_of<Catalan>},
+          {&statistic::strahler, growth_sizes, "equiprobable binary trees, catalan", is_of<Catalan>},
           judge_order,
           plot_order};
 }

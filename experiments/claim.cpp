@@ -39,8 +39,8 @@ void require_sizes(const Claim& claim, const RunConfig& config) {
 }
 
 void require_needs(const Claim& claim, const RunConfig& config) {
-  if (!config.statistics.contains(claim.needs.statistic))
-    throw Error(fmt::format("{}: claim {} without '{}'", config.path, claim.id, claim.needs.statistic),
+  if (!config.statistics.contains(*claim.needs.statistic))
+    throw Error(fmt::format("{}: claim {} without '{}'", config.path, claim.id, claim.needs.statistic->name),
                 "it is judged by that statistic", "add it to statistics");
   require_models(claim, config);
   require_sizes(claim, config);

@@ -12,6 +12,7 @@
 #include "ramify/model/model.hpp"
 #include "ramify/report/plot.hpp"
 #include "ramify/run/run_tables.hpp"
+#include "ramify/statistic/registry.hpp"
 
 namespace ramify {
 
@@ -35,9 +36,9 @@ bool is_of(const Model& model) {
 
 /// What a claim needs of a config that serves it.
 struct ClaimNeeds {
-  std::string_view statistic;  ///< that it is judged by
-  std::size_t sizes;           ///< of every model, at least
-  std::string_view models;     ///< what it speaks of, in words
+  const StatisticInfo* statistic;  ///< that it is judged by; it has one column
+  std::size_t sizes;               ///< of every model, at least
+  std::string_view models;         ///< what it speaks of, in words
   bool (*speaks_of)(const Model&);
 };
 

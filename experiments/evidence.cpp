@@ -57,8 +57,8 @@ std::optional<Evidence::WorstCheck> Evidence::worst_check() const {
       ++worst.checks;
       if (std::fabs(cell.checks[i]->z) < worst.z) continue;
       worst.z = std::fabs(cell.checks[i]->z);
-      worst.where =
-          fmt::format("{} of {} at n = {}", cell.result.columns[i].name, cell.result.model, cell.result.n);
+      worst.where = fmt::format("{} of {} at n = {}", cell.result.columns[i].column.name(), cell.result.model,
+                                cell.result.n);
     }
   }
   if (worst.checks == 0) return std::nullopt;

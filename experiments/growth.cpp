@@ -22,12 +22,12 @@ std::string describe(const GrowthClaim& claim, const GrowthConstant& growth, Out
 
 /// "sampled means within 2.1 standard errors of the exact ones to n = 1000", or that no exact law was in
 /// reach.
-std::string exact_note(const ModelCells& model, const std::string& column) {
+std::string exact_note(const ModelCells& model, const StatisticColumn& column) {
   double worst = 0;
   Size largest = 0;
   for (const auto& cell : model.cells) {
     for (std::size_t i = 0; i < cell.result.columns.size(); ++i) {
-      if (cell.result.columns[i].name != column || !cell.checks[i]) continue;
+      if (cell.result.columns[i].column != column || !cell.checks[i]) continue;
       worst = std::max(worst, std::fabs(cell.checks[i]->z));
       largest = cell.result.n;
     }
@@ -53,21 +53,21 @@ PlotSeries law_through(const GrowthCase& growth, const std::vector<SizedMean>& m
   return law;
 }
 
-std::vector<GrowthCase> cases_of(const GrowthLaw& law, std::string_view id, std::string_view statistic,
+std::vector<GrowthCase> cases_of(const GrowthLaw& law, std::string_view id, const StatisticInfo& statistic,
                                  const std::vector<ModelCells>& models) {
   std::vector<GrowthCase> cases;
   for (const auto& model : models)
-    cases.push_back({{fmt::format("{}.{}", id, cases.size() + 1), std::string(law.source),
-                      fmt::format("{}, {}", law.statement, model.model.text()), std::string(law.convention),
-                      std::string(statistic), law.constant(model.model).value().value, law.tolerance,
-                      law.approach, std::string(law.why_drifts)},
-                     model});
+    cases.push_back(
+        {{fmt::format("{}.{}", id, cases.size() + 1), std::string(law.source),
+          fmt::format("{}, {}", law.statement, model.model.text()), std::string(law.convention), statistic,
+          law.constant(model.model).value().value, law.tolerance, law.approach, std::string(law.why_drifts)},
+         model});
   return cases;
 }
 
 }  // namespace
 
-std::vector<SizedMean> means_of(const ModelCells& model, const std::string& column) {
+std::vector<SizedMean> means_of(const ModelCells& model, const StatisticColumn& column) {
   std::vector<SizedMean> means;
   for (const auto& cell : model.cells) {
     const auto& summary = cell.result.column(column);
@@ -119,7 +119,7 @@ NamedPlot growth_plot(const PlotNames& names, const std::vector<GrowthCase>& cas
 
 Claim growth_law_claim(Claim claim, const GrowthLaw& law, const PlotNames& plot) {
   const auto cases = [law, id = claim.id, statistic = claim.needs.statistic](const auto& models) {
-    return cases_of(law, id, statistic, models);
+    return cases_of(law, id, *statistic, models);
   };
   claim.judge = [cases](const std::vector<ModelCells>& models) {
     std::vector<Verdict> verdicts;

@@ -19,7 +19,7 @@ struct GrowthClaim {
   std::string source;
   std::string statement;
   std::string convention;
-  std::string statistic;  ///< column
+  StatisticColumn statistic;
   double theory;
   double tolerance;  ///< relative
   Approach approach;
@@ -31,7 +31,7 @@ inline constexpr std::size_t growth_sizes = 4;
 
 /// Means of a column over the sizes of a model. A standard error is at least 1/trees: a sample without spread
 /// has not shown that there is none.
-std::vector<SizedMean> means_of(const ModelCells& model, const std::string& column);
+std::vector<SizedMean> means_of(const ModelCells& model, const StatisticColumn& column);
 
 /// Judges it by the slope over the upper half of the sizes, growth_sizes or more.
 Verdict judge_growth(const GrowthClaim& claim, const ModelCells& model);

@@ -3,6 +3,8 @@
 
 #include "session.hpp"
 #include "verbs.hpp"
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "ramify/config/size_list.hpp"
 #include "ramify/core/physical_memory.hpp"
@@ -22,8 +24,8 @@ struct Options {
 };
 
 ExitCode law(const Options& options, const Cancellation& cancellation) {
-  const LawRequest request{Model::parse(options.model), options.statistic, options.quantity(),
-                           read_sizes("--n", options.n)};
+  const LawRequest request{Model::parse(options.model), LawSubject::parse(options.statistic),
+                           options.quantity(), read_sizes("--n", options.n)};
   const double seconds = options.yes ? std::numeric_limits<double>::infinity() : long_law_seconds;
   require_computable(request, {physical_memory(), seconds});
   emit(law_table(request, cancellation), options.output);
@@ -39,11 +41,10 @@ void add_law(Program& program) {
   verb.option("--model", options->model, "model, such as bst or \"beta(10,80)\"; see: ramify list models",
               Need::required);
   verb.option("--n", options->n, "sizes: N[,N..], or from:to:count, a geometric grid", Need::required);
-  verb.option(
-      "--statistic", options->statistic,
-      "strahler, height, depth, external_depth, fill_level, balance; orders: mean nodes and streams by "
-      "order; with --moments also path_length, sackin, colless",
-      Need::required);
+  verb.option("--statistic", options->statistic,
+              fmt::format("{}: mean nodes and streams by order; with --moments also {}",
+                          fmt::join(law_subjects(), ", "), fmt::join(moment_subjects(), ", ")),
+              Need::required);
   const DeclaredOption moments = verb.flag(
       "--moments", options->moments, "mean and variance; of orders: of the nodes and streams of every order");
   Verb::exclude(moments, verb.flag("--covariances", options->covariances, "of orders: of every two counts"));

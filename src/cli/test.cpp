@@ -40,7 +40,7 @@ ExitCode test(const Options& options, const Cancellation& cancellation) {
     for (const RecordedTree& tree : trees_for(model, options, file))
       for (const auto& row : compare(tree.tree, tree.name))
         table.add(Row()
-                      .texts({tree.name, model.text(), row.name})
+                      .texts({tree.name, model.text(), row.column.name()})
                       .summary(row.observed)
                       .summary(row.expected)
                       .summary(row.p_value)

@@ -10,7 +10,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "ramify/law/law_cost.hpp"
+#include "ramify/tabulate/law_request.hpp"
 
 namespace ramify::test {
 namespace {
@@ -95,8 +95,12 @@ struct Built {
   const char* model;
   const char* statistic;
   const char* table;  ///< an option, or ""
-  LawKind kind;
   Size n;
+
+  LawQuantity quantity() const {
+    if (std::string_view(table) == "--moments") return LawQuantity::moments;
+    return *table == '\0' ? LawQuantity::law : LawQuantity::covariances;
+  }
 
   friend std::ostream& operator<<(std::ostream& out, const Built& built) {
     return out << built.statistic << " of " << built.model;
@@ -106,7 +110,7 @@ struct Built {
 class LawMemory : public testing::TestWithParam<Built> {};
 
 TEST_P(LawMemory, IsEstimatedToAFactorOfTwo) {
-  const auto& [model, statistic, table, kind, largest] = GetParam();
+  const auto& [model, statistic, table, largest] = GetParam();
   const auto used = [&](Size n) {
     std::vector<std::string> arguments{"law",         "--model", model, "--n", std::to_string(n),
                                        "--statistic", statistic};
@@ -114,32 +118,33 @@ TEST_P(LawMemory, IsEstimatedToAFactorOfTwo) {
     return peak_memory(arguments);
   };
   const double taken = used(largest) - used(1);
-  const double estimate = law_cost(Model::parse(model), kind, largest).bytes;
+  const LawRequest request{
+      Model::parse(model), LawSubject::parse(statistic), GetParam().quantity(), {largest}};
+  const double estimate = law_cost(request.model, request.work(), largest).bytes;
   EXPECT_GT(estimate, taken / 2);
   EXPECT_LT(estimate, taken * 2);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    EveryLaw, LawMemory,
-    testing::Values(Built{"bst", "strahler", "--moments", LawKind::bounded, 16384},
-                    Built{"patricia(0.5)", "balance", "--moments", LawKind::bounded, 32768},
-                    Built{"beta(2,2)", "fill_level", "--moments", LawKind::bounded, 8192},
-                    Built{"beta_multinomial(2,2)", "strahler", "--moments", LawKind::bounded, 8192},
-                    Built{"bst", "height", "--moments", LawKind::height, 8192},
-                    Built{"catalan", "height", "--moments", LawKind::height, 4096},
-                    Built{"beta(0.01,0.01)", "height", "--moments", LawKind::height, 2048},
-                    Built{"dst(0.02)", "height", "--moments", LawKind::height, 16384},
-                    Built{"bst", "depth", "--moments", LawKind::depth, 8192},
-                    Built{"beta(0.1,0.1)", "depth", "--moments", LawKind::depth, 4096},
-                    Built{"patricia(0.23)", "depth", "--moments", LawKind::depth, 16384},
-                    Built{"split(0.01)", "depth", "--moments", LawKind::depth, 16384},
-                    Built{"dst(0.3)", "orders", "", LawKind::order_means, 16384},
-                    Built{"split(0.25)", "orders", "--moments", LawKind::order_moments, 4096},
-                    Built{"catalan", "orders", "--covariances", LawKind::order_moments, 1024}),
-    [](const auto& test) {
-      return name_of(
-          {test.param.model, test.param.statistic, test.param.table, std::to_string(test.param.n)});
-    });
+INSTANTIATE_TEST_SUITE_P(EveryLaw, LawMemory,
+                         testing::Values(Built{"bst", "strahler", "--moments", 16384},
+                                         Built{"patricia(0.5)", "balance", "--moments", 32768},
+                                         Built{"beta(2,2)", "fill_level", "--moments", 8192},
+                                         Built{"beta_multinomial(2,2)", "strahler", "--moments", 8192},
+                                         Built{"bst", "height", "--moments", 8192},
+                                         Built{"catalan", "height", "--moments", 4096},
+                                         Built{"beta(0.01,0.01)", "height", "--moments", 2048},
+                                         Built{"dst(0.02)", "height", "--moments", 16384},
+                                         Built{"bst", "depth", "--moments", 8192},
+                                         Built{"beta(0.1,0.1)", "depth", "--moments", 4096},
+                                         Built{"patricia(0.23)", "depth", "--moments", 16384},
+                                         Built{"split(0.01)", "depth", "--moments", 16384},
+                                         Built{"dst(0.3)", "orders", "", 16384},
+                                         Built{"split(0.25)", "orders", "--moments", 4096},
+                                         Built{"catalan", "orders", "--covariances", 1024}),
+                         [](const auto& test) {
+                           return name_of({test.param.model, test.param.statistic, test.param.table,
+                                           std::to_string(test.param.n)});
+                         });
 
 struct Value {
   const char* model;

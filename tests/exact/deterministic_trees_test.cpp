@@ -21,7 +21,8 @@ using Counts = std::vector<std::uint64_t>;
 TreeMeasures measures_of(const std::string& model, Size n) {
   const Cancellation never;
   TreeMeasures measures;
-  make_tree_sampler({Model::parse(model), grow_full, max_size, &never})->sample(n, {1, 2}, 3, measures);
+  make_tree_sampler({Model::parse(model), whole_trees(orders_and_paths), max_size, &never})
+      ->sample(n, {1, 2}, 3, measures);
   return measures;
 }
 
@@ -118,8 +119,8 @@ TEST(FixedSplitTree, ObeysFact32) {
   const Cancellation never;
   for (const double x : {0.5, 0.49, 0.4, 1.0 / 3, 0.3, 0.25, 1 / 4.35, 0.2, 0.125, 0.1, 0.05, 0.01}) {
     const FixedSplit law(x);
-    const auto sampler =
-        make_tree_sampler({Model::parse(fmt::format("split({})", x)), grow_lean, max_size, &never});
+    const auto sampler = make_tree_sampler(
+        {Model::parse(fmt::format("split({})", x)), whole_trees(orders_and_height), max_size, &never});
     std::vector<std::size_t> order{0};
     for (Size n = 1; n <= 5000; ++n) {
       const std::size_t left = order[law.left(n)], right = order[n - 1 - law.left(n)];
@@ -142,7 +143,7 @@ TEST(RandomTrees, ObeyTheIdentities) {
   const Cancellation never;
   for (const auto& text : test::all_models()) {
     const Model model = Model::parse(text);
-    const auto sampler = make_tree_sampler({model, grow_full, max_size, &never});
+    const auto sampler = make_tree_sampler({model, whole_trees(orders_and_paths), max_size, &never});
     TreeMeasures m;
     for (const Size n : {1u, 2u, 5u, 31u, 200u, 1000u, 30000u}) {
       for (std::uint64_t replicate = 0; replicate < 20; ++replicate) {

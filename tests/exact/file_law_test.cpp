@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "support/columns.hpp"
 #include "support/split_table_file.hpp"
 #include <gtest/gtest.h>
 
@@ -29,7 +30,8 @@ TEST_P(FileLaw, IsThatOfTheModelItHolds) {
   const ExactMeans exact(model, n), of_file(file.model(), n);
   for (const char* column : {"strahler", "height", "depth", "fill_level", "balance", "nodes_2", "streams_3"})
     for (const Size size : {Size{2}, Size{37}, n}) {
-      const auto truth = exact.moments(column, size), found = of_file.moments(column, size);
+      const auto truth = exact.moments(test::column(column), size),
+                 found = of_file.moments(test::column(column), size);
       EXPECT_NEAR(found->mean, truth->mean, 1e-13 * (1 + truth->mean)) << column << ' ' << size;
       EXPECT_NEAR(found->variance, truth->variance, 1e-12 * (1 + truth->mean * truth->mean))
           << column << ' ' << size;

@@ -8,13 +8,14 @@
 #include <utility>
 #include <vector>
 
+#include "support/columns.hpp"
 #include <gtest/gtest.h>
 
-#include "ramify/law/balance_law.hpp"
 #include "ramify/law/build_law.hpp"
 #include "ramify/law/exact_means.hpp"
 #include "ramify/law/order_moments.hpp"
-#include "ramify/law/strahler_law.hpp"
+#include "ramify/statistic/balance.hpp"
+#include "ramify/statistic/strahler.hpp"
 
 namespace {
 
@@ -39,7 +40,8 @@ class KnownMean : public testing::TestWithParam<Known> {};
 
 TEST_P(KnownMean, IsMet) {
   const Known& known = GetParam();
-  const auto exact = ExactMeans(Model::parse(known.model), known.n).moments(known.column, known.n);
+  const auto exact =
+      ExactMeans(Model::parse(known.model), known.n).moments(ramify::test::column(known.column), known.n);
   ASSERT_TRUE(exact);
   EXPECT_NEAR(exact->mean, known.mean, known.digits) << known.model << " " << known.column << " " << known.n;
 }
@@ -100,8 +102,8 @@ const std::vector<Known> known_means{
 
 INSTANTIATE_TEST_SUITE_P(Exact, KnownMean, testing::ValuesIn(known_means));
 
-ramify::StrahlerLaw strahler_law(const char* model, Size n) {
-  return ramify::build_law(Model::parse(model), n, ramify::StrahlerLaw(n));
+ramify::BoundedLaw strahler_law(const char* model, Size n) {
+  return ramify::build_law(Model::parse(model), n, ramify::BoundedLaw(ramify::Strahler::recurrence, n));
 }
 
 TEST(KnownMean, OfCatalanOrdersAt4096) {
@@ -130,7 +132,8 @@ TEST(KnownLaw, OfFairPatriciaOrders) {
 
 // E B_n - (beta log n - c log log n) of the BST.
 TEST(KnownMean, OfBstBalanceBeyondItsFirstTerms) {
-  const auto law = ramify::build_law(Model::parse("bst"), 10'000, ramify::BalanceLaw(10'000));
+  const auto law =
+      ramify::build_law(Model::parse("bst"), 10'000, ramify::BoundedLaw(ramify::Balance::recurrence, 10'000));
   const std::vector<std::pair<Size, double>> printed{
       {100, 0.247}, {579, 0.284}, {1000, 0.301}, {4096, 0.310}, {10'000, 0.325}};
   for (const auto& [n, rest] : printed) {
@@ -153,7 +156,9 @@ TEST(KnownSlopes, OfDepthAndHeight) {
         Slope{"beta(1,5)", 2.6275, 6.1608}, Slope{"beta(10,80)", 2.9547, 8.4202}}) {
     const ExactMeans exact(Model::parse(text), 4096);
     const auto slope = [&exact](const char* column) {
-      return (exact.moments(column, 4096)->mean - exact.moments(column, 1000)->mean) / std::log(4.096);
+      return (exact.moments(ramify::test::column(column), 4096)->mean -
+              exact.moments(ramify::test::column(column), 1000)->mean) /
+             std::log(4.096);
     };
     EXPECT_NEAR(slope("depth"), depth, 6e-5) << text;
     EXPECT_NEAR(slope("height"), height, 6e-5) << text;
@@ -199,8 +204,8 @@ TEST(KnownRatios, OfExpectedCountsOfPatricia) {
   const std::array<double, 5> streams{3.045, 3.294, 3.581, 3.618, 4.336},
       nodes{1.656, 2.191, 3.103, 3.765, 3.570};
   const auto ratio = [&exact](const std::string& of, std::size_t k) {
-    return exact.moments(of + std::to_string(k), 579)->mean /
-           exact.moments(of + std::to_string(k + 1), 579)->mean;
+    return exact.moments(ramify::test::column(of + std::to_string(k)), 579)->mean /
+           exact.moments(ramify::test::column(of + std::to_string(k + 1)), 579)->mean;
   };
   for (std::size_t k = 0; k < streams.size(); ++k) {
     EXPECT_NEAR(ratio("streams_", k), streams[k], 5.1e-4) << k;

@@ -1,28 +1,33 @@
 // The exact laws against published exact values and against all trees, weighed one by one.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
 #include <span>
 #include <vector>
 
+#include "support/columns.hpp"
 #include "support/definitions.hpp"
 #include "support/growing.hpp"
 #include "support/shape.hpp"
 #include <gtest/gtest.h>
 
-#include "ramify/law/balance_law.hpp"
 #include "ramify/law/build_law.hpp"
 #include "ramify/law/conditional_order_means.hpp"
 #include "ramify/law/depth_law.hpp"
 #include "ramify/law/exact_means.hpp"
-#include "ramify/law/fill_level_law.hpp"
 #include "ramify/law/height_law.hpp"
 #include "ramify/law/law_limit.hpp"
 #include "ramify/law/node_sum_law.hpp"
 #include "ramify/law/order_means.hpp"
 #include "ramify/law/order_moments.hpp"
-#include "ramify/law/strahler_law.hpp"
+#include "ramify/statistic/balance.hpp"
+#include "ramify/statistic/external_depth.hpp"
+#include "ramify/statistic/fill_level.hpp"
+#include "ramify/statistic/registry.hpp"
+#include "ramify/statistic/shape_indices.hpp"
+#include "ramify/statistic/strahler.hpp"
 
 namespace {
 
@@ -94,16 +99,16 @@ void expect_near(double law, Real truth, double tolerance, const char* what) {
 
 struct Laws {
   explicit Laws(const Model& model, Size n)
-      : strahler(ramify::build_law(model, n, ramify::StrahlerLaw(n))),
-        balance(ramify::build_law(model, n, ramify::BalanceLaw(n))),
-        fill_level(ramify::build_law(model, n, ramify::FillLevelLaw(n))),
+      : strahler(ramify::build_law(model, n, ramify::BoundedLaw(ramify::Strahler::recurrence, n))),
+        balance(ramify::build_law(model, n, ramify::BoundedLaw(ramify::Balance::recurrence, n))),
+        fill_level(ramify::build_law(model, n, ramify::BoundedLaw(ramify::FillLevel::recurrence, n))),
         height(ramify::build_law(model, n, ramify::HeightLaw())),
-        depth(ramify::build_law(model, n, ramify::DepthLaw())),
+        depth(ramify::build_law(model, n, ramify::DepthLaw(ramify::LastNodeDepth::recurrence))),
         orders(ramify::build_law(model, n, ramify::OrderMeans(n))) {}
 
-  ramify::StrahlerLaw strahler;
-  ramify::BalanceLaw balance;
-  ramify::FillLevelLaw fill_level;
+  ramify::BoundedLaw strahler;
+  ramify::BoundedLaw balance;
+  ramify::BoundedLaw fill_level;
   ramify::HeightLaw height;
   ramify::DepthLaw depth;
   ramify::OrderMeans orders;
@@ -161,10 +166,14 @@ TEST(Laws, DoNotTellBetaWithOneMoreOnTheRightFromTheSymmetricBeta) {
   constexpr Size n = 150;
   const ExactMeans skew(Model::parse("beta(2,3)"), n), even(Model::parse("beta(2,2)"), n);
   for (const char* column : {"strahler", "height", "depth", "fill_level", "balance", "nodes_2", "streams_3"})
-    EXPECT_NEAR(skew.moments(column, n)->mean, even.moments(column, n)->mean, 1e-11) << column;
+    EXPECT_NEAR(skew.moments(test::column(column), n)->mean, even.moments(test::column(column), n)->mean,
+                1e-11)
+        << column;
   // They are near enough to each other that a third law is needed to show that the comparison can fail.
   const ExactMeans other(Model::parse("beta(2,4)"), n);
-  EXPECT_GT(std::abs(other.moments("strahler", n)->mean - even.moments("strahler", n)->mean), 1e-3);
+  EXPECT_GT(std::abs(other.moments(test::column("strahler"), n)->mean -
+                     even.moments(test::column("strahler"), n)->mean),
+            1e-3);
 }
 
 void expect_same_moments(const char* one, const char* other) {
@@ -172,9 +181,10 @@ void expect_same_moments(const char* one, const char* other) {
   const ExactMeans first(Model::parse(one), n), second(Model::parse(other), n);
   for (const char* column :
        {"strahler", "height", "depth", "fill_level", "balance", "nodes_2", "streams_3"}) {
-    const auto truth = *second.moments(column, n);
-    EXPECT_NEAR(first.moments(column, n)->mean / truth.mean, 1, 1e-12) << one << ' ' << column;
-    EXPECT_NEAR(first.moments(column, n)->variance / truth.variance, 1, 1e-10) << one << ' ' << column;
+    const auto truth = *second.moments(test::column(column), n);
+    EXPECT_NEAR(first.moments(test::column(column), n)->mean / truth.mean, 1, 1e-12) << one << ' ' << column;
+    EXPECT_NEAR(first.moments(test::column(column), n)->variance / truth.variance, 1, 1e-10)
+        << one << ' ' << column;
   }
 }
 
@@ -190,8 +200,12 @@ TEST(Laws, OfBetaOneOneAreThoseOfTheBst) {
   constexpr Size n = 300;
   const ExactMeans beta(Model::parse("beta(1,1)"), n), bst(Model::parse("bst"), n);
   for (const char* column : {"strahler", "height", "depth", "fill_level", "balance"}) {
-    EXPECT_NEAR(beta.moments(column, n)->mean, bst.moments(column, n)->mean, 1e-12) << column;
-    EXPECT_NEAR(beta.moments(column, n)->variance, bst.moments(column, n)->variance, 1e-11) << column;
+    EXPECT_NEAR(beta.moments(test::column(column), n)->mean, bst.moments(test::column(column), n)->mean,
+                1e-12)
+        << column;
+    EXPECT_NEAR(beta.moments(test::column(column), n)->variance,
+                bst.moments(test::column(column), n)->variance, 1e-11)
+        << column;
   }
 }
 
@@ -200,8 +214,12 @@ TEST(Laws, OfBetaMultinomialOneOneAreThoseOfTheBst) {
   const ExactMeans beta(Model::parse("beta_multinomial(1,1)"), n), bst(Model::parse("bst"), n);
   for (const char* column :
        {"strahler", "height", "depth", "fill_level", "balance", "nodes_2", "streams_3"}) {
-    EXPECT_NEAR(beta.moments(column, n)->mean, bst.moments(column, n)->mean, 1e-12) << column;
-    EXPECT_NEAR(beta.moments(column, n)->variance, bst.moments(column, n)->variance, 1e-11) << column;
+    EXPECT_NEAR(beta.moments(test::column(column), n)->mean, bst.moments(test::column(column), n)->mean,
+                1e-12)
+        << column;
+    EXPECT_NEAR(beta.moments(test::column(column), n)->variance,
+                bst.moments(test::column(column), n)->variance, 1e-11)
+        << column;
   }
 }
 
@@ -228,32 +246,34 @@ TEST(ExactMeans, AnswersInAnyOrderAlike) {
   const ExactMeans down(model, 400), up(model, 300);
   for (const char* column :
        {"strahler", "height", "depth", "fill_level", "balance", "nodes_2", "streams_2"}) {
-    down.moments(column, 400);
-    const auto small = up.moments(column, 60);
-    EXPECT_EQ(up.moments(column, 300)->mean, down.moments(column, 300)->mean) << column;
-    EXPECT_EQ(small->mean, down.moments(column, 60)->mean) << column;
+    down.moments(test::column(column), 400);
+    const auto small = up.moments(test::column(column), 60);
+    EXPECT_EQ(up.moments(test::column(column), 300)->mean, down.moments(test::column(column), 300)->mean)
+        << column;
+    EXPECT_EQ(small->mean, down.moments(test::column(column), 60)->mean) << column;
   }
 }
 
 TEST(ExactMeans, SaysWhatItDoesNotKnow) {
   const ExactMeans exact(Model::parse("bst"), 50);
-  for (const char* column :
-       {"", "strahle", "nodes", "nodes_", "nodes_x", "nodes_mean_ratio", "streams_-1", "width"})
-    EXPECT_FALSE(exact.moments(column, 20)) << column;
-  EXPECT_FALSE(exact.moments("strahler", 51));
-  EXPECT_TRUE(exact.moments("strahler", 50));
-  EXPECT_EQ(exact.moments("nodes_9", 20)->mean, 0);
-  EXPECT_EQ(exact.moments("size", 20)->mean, 20);
-  EXPECT_EQ(exact.moments("size", 20)->variance, 0);
-  EXPECT_EQ(exact.moments("depth", 0)->mean, 0);
-  EXPECT_EQ(exact.moments("height", 0)->mean, 1);
-  EXPECT_EQ(exact.moments("external_depth", 0)->mean, 1);
-  EXPECT_EQ(exact.moments("magnitude", 20)->mean, 21);
-  EXPECT_NEAR(exact.moments("registers", 20)->mean, exact.moments("strahler", 20)->mean + 1, 1e-14);
-  EXPECT_NEAR(exact.moments("sackin", 20)->mean, 21 * (exact.moments("external_depth", 20)->mean - 1), 1e-12);
-  EXPECT_NEAR(exact.moments("path_length", 20)->mean + 40, exact.moments("sackin", 20)->mean, 1e-12);
-  EXPECT_NEAR(exact.moments("cherries", 20)->mean, 7, 1e-13);
-  EXPECT_FALSE(exact.moments("width", 20));
+  for (const char* column : {"nodes_mean_ratio", "width", "tokunaga_1"})
+    EXPECT_FALSE(exact.moments(test::column(column), 20)) << column;
+  EXPECT_FALSE(exact.moments(test::column("strahler"), 51));
+  EXPECT_TRUE(exact.moments(test::column("strahler"), 50));
+  EXPECT_EQ(exact.moments(test::column("nodes_9"), 20)->mean, 0);
+  EXPECT_EQ(exact.moments(test::column("size"), 20)->mean, 20);
+  EXPECT_EQ(exact.moments(test::column("size"), 20)->variance, 0);
+  EXPECT_EQ(exact.moments(test::column("depth"), 0)->mean, 0);
+  EXPECT_EQ(exact.moments(test::column("height"), 0)->mean, 1);
+  EXPECT_EQ(exact.moments(test::column("external_depth"), 0)->mean, 1);
+  EXPECT_EQ(exact.moments(test::column("magnitude"), 20)->mean, 21);
+  EXPECT_NEAR(exact.moments(test::column("registers"), 20)->mean,
+              exact.moments(test::column("strahler"), 20)->mean + 1, 1e-14);
+  EXPECT_NEAR(exact.moments(test::column("sackin"), 20)->mean,
+              21 * (exact.moments(test::column("external_depth"), 20)->mean - 1), 1e-12);
+  EXPECT_NEAR(exact.moments(test::column("path_length"), 20)->mean + 40,
+              exact.moments(test::column("sackin"), 20)->mean, 1e-12);
+  EXPECT_NEAR(exact.moments(test::column("cherries"), 20)->mean, 7, 1e-13);
 }
 
 TEST(ExactMeans, HasVariancesOfCountsUpToTheirLimit) {
@@ -262,18 +282,19 @@ TEST(ExactMeans, HasVariancesOfCountsUpToTheirLimit) {
   ASSERT_LT(limit, ramify::law_limit(bst));
   const ExactMeans exact(bst, limit + 1);
   // Var M_1 = 2(n+1)/45 for n >= 4 (a classical result for cherries of Yule trees).
-  EXPECT_NEAR(exact.moments("streams_1", 20)->variance, 2.0 * 21 / 45, 1e-11);
-  EXPECT_NEAR(exact.moments("streams_1", limit)->variance, 2.0 * static_cast<double>(limit + 1) / 45, 1e-9);
-  EXPECT_TRUE(std::isnan(exact.moments("streams_1", limit + 1)->variance));
-  EXPECT_EQ(exact.moments("nodes_0", 20)->variance, 0);
-  EXPECT_EQ(exact.moments("nodes_9", 20)->variance, 0);
-  EXPECT_GE(exact.moments("nodes_1", 1)->variance, 0);  // rounding must not leave it below
+  EXPECT_NEAR(exact.moments(test::column("streams_1"), 20)->variance, 2.0 * 21 / 45, 1e-11);
+  EXPECT_NEAR(exact.moments(test::column("streams_1"), limit)->variance,
+              2.0 * static_cast<double>(limit + 1) / 45, 1e-9);
+  EXPECT_TRUE(std::isnan(exact.moments(test::column("streams_1"), limit + 1)->variance));
+  EXPECT_EQ(exact.moments(test::column("nodes_0"), 20)->variance, 0);
+  EXPECT_EQ(exact.moments(test::column("nodes_9"), 20)->variance, 0);
+  EXPECT_GE(exact.moments(test::column("nodes_1"), 1)->variance, 0);  // rounding must not leave it below
 }
 
 TEST(ExactMeans, StopsAtTheLimitOfItsModel) {
   const Model model = Model::parse("beta(2,2)");
   EXPECT_EQ(ExactMeans(model, 1'000'000).largest_n(), ramify::law_limit(model));
-  EXPECT_FALSE(ExactMeans(model, 1'000'000).moments("size", ramify::law_limit(model) + 1));
+  EXPECT_FALSE(ExactMeans(model, 1'000'000).moments(test::column("size"), ramify::law_limit(model) + 1));
 }
 
 /// E[X_a X_b] - E X_a E X_b over all trees; counts are nodes 1..3, then streams 1..3.
@@ -321,7 +342,7 @@ TEST(OrderMoments, AreThoseOfAllTrees) {
 TEST(DepthLaw, OfAnExternalNodeIsThatOfAllTrees) {
   for (const char* text : {"bst", "catalan", "patricia(0.23)", "split(0.3)"}) {
     const Model model = Model::parse(text);
-    const auto law = ramify::build_law(model, 8, ramify::DepthLaw(ramify::DepthLaw::Of::external_node));
+    const auto law = ramify::build_law(model, 8, ramify::DepthLaw(ramify::ExternalDepth::recurrence));
     for (Size n = 0; n <= 8; ++n) {
       Sums truth(n + 3, 0);
       for (const test::Shape& shape : test::all_shapes(n))
@@ -333,35 +354,84 @@ TEST(DepthLaw, OfAnExternalNodeIsThatOfAllTrees) {
   }
 }
 
+/// A statistic that is a sum over the nodes, and its definition.
+struct Additive {
+  const char* column;
+  double (*value)(const test::Shape&);
+};
+
+template <auto count>
+double as_real(const test::Shape& shape) {
+  return static_cast<double>(count(shape));
+}
+
+const std::vector<Additive> additive{{"path_length", as_real<test::path_length>},
+                                     {"sackin", as_real<test::sackin>},
+                                     {"colless", as_real<test::colless>},
+                                     {"total_cophenetic", test::total_cophenetic},
+                                     {"rooted_quartets", test::rooted_quartets},
+                                     {"b2", test::b2},
+                                     {"average_leaf_depth", test::average_leaf_depth},
+                                     {"stairs1", test::stairs1},
+                                     {"stairs2", test::stairs2},
+                                     {"pitchforks", as_real<test::pitchforks>}};
+
 TEST(NodeSumLaw, IsThatOfAllTrees) {
-  using ramify::NodeSumLaw;
-  using Sum = std::uint64_t (*)(const test::Shape&);
-  const std::vector<std::pair<NodeSumLaw::Of, Sum>> sums{{NodeSumLaw::Of::path_length, test::path_length},
-                                                         {NodeSumLaw::Of::sackin, test::sackin},
-                                                         {NodeSumLaw::Of::colless, test::colless}};
   for (const char* text : {"bst", "catalan", "patricia(0.23)", "beta(2,5)"}) {
     const Model model = Model::parse(text);
-    for (const auto& [of, sum] : sums) {
-      const auto law = ramify::build_law(model, 8, NodeSumLaw(of));
-      for (Size n = 0; n <= 8; ++n) {
+    const ExactMeans exact(model, 8);
+    for (const auto& [column, value_of] : additive) {
+      for (Size n = 1; n <= 8; ++n) {
         Real mean = 0, square = 0;
         for (const test::Shape& shape : test::all_shapes(n)) {
-          const Real p = probability(shape, pmf_of(model)), value = static_cast<Real>(sum(shape));
+          const Real p = probability(shape, pmf_of(model)), value = value_of(shape);
           mean += p * value;
           square += p * value * value;
         }
-        expect_near(law.moments(n).mean, mean, 1e-12, text);
-        expect_near(law.moments(n).variance, square - mean * mean, 1e-11, text);
+        const ramify::Moments law = *exact.moments(test::column(column), n);
+        expect_near(law.mean, mean, 1e-12, column);
+        expect_near(law.variance, square - mean * mean, 1e-11 * static_cast<double>(1 + square), column);
       }
     }
   }
 }
 
+TEST(NodeSumLaw, IsOfEveryStatisticThatIsASum) {
+  for (const ramify::StatisticInfo& info : ramify::statistics()) {
+    if (!std::holds_alternative<ramify::NodeSum>(info.law.recurrence)) continue;
+    EXPECT_TRUE(std::ranges::any_of(additive, [&](const auto& sum) { return info.name == sum.column; }))
+        << info.name;
+    if (info.toll != nullptr) {
+      EXPECT_EQ(std::get<ramify::NodeSum>(info.law.recurrence).toll, info.toll) << info.name;
+    }
+  }
+}
+
+// m external nodes. Yule trees (bst): Mir, Rossello and Rotger 2013; Coronado et al. 2019; Rosenberg 2006
+// (m/6 pitchforks, variance 23 m/420 from m = 7). Uniform trees (catalan): 3/5 C(m,4) by Coronado et al.
+// 2019.
+TEST(NodeSumLaw, HasThePublishedMeans) {
+  constexpr Size n = 60;
+  const double m = n + 1, quartets = m * (m - 1) * (m - 2) * (m - 3) / 24;
+  double harmonic = 0;
+  for (Size k = 1; k <= n + 1; ++k) harmonic += 1 / static_cast<double>(k);
+  const ExactMeans yule(Model::parse("bst"), n), uniform(Model::parse("catalan"), n);
+  const auto expect_mean = [](const ExactMeans& exact, const char* column, double mean) {
+    EXPECT_NEAR(exact.moments(test::column(column), n)->mean / mean, 1, 1e-12) << column;
+  };
+  expect_mean(yule, "total_cophenetic", m * (m + 1) - 2 * m * harmonic);
+  expect_mean(yule, "rooted_quartets", quartets);
+  expect_mean(uniform, "rooted_quartets", 3 * quartets / 5);
+  expect_mean(yule, "pitchforks", m / 6);
+  EXPECT_NEAR(yule.moments(test::column("pitchforks"), n)->variance, 23 * m / 420, 1e-10);
+  expect_mean(yule, "average_leaf_depth", 2 * (harmonic - 1));
+}
+
 // Of a BST (Knuth, TAOCP 6.2.2): E path length = 2 (n+1) H_n - 4n, variance 7n^2 - 4(n+1)^2 H2_n - 2(n+1) H_n
 // + 13n.
 TEST(NodeSumLaw, OfBstPathLengthsIsKnown) {
-  const auto law =
-      ramify::build_law(Model::parse("bst"), 1000, ramify::NodeSumLaw(ramify::NodeSumLaw::Of::path_length));
+  const auto law = ramify::build_law(Model::parse("bst"), 1000,
+                                     ramify::NodeSumLaw({ramify::ShapeIndices::path_length_toll}));
   Real harmonic = 0, squares = 0;
   for (Size n = 1; n <= 1000; ++n) {
     const Real size = static_cast<Real>(n);

@@ -13,20 +13,17 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <gtest/gtest.h>
 
-#include "ramify/law/balance_law.hpp"
 #include "ramify/law/build_law.hpp"
 #include "ramify/law/depth_law.hpp"
-#include "ramify/law/fill_level_law.hpp"
 #include "ramify/law/height_law.hpp"
 #include "ramify/law/order_moments.hpp"
-#include "ramify/law/strahler_law.hpp"
 #include "ramify/sample/folds.hpp"
 
 namespace ramify {
 namespace {
 
 using Rational = boost::multiprecision::cpp_rational;
-using EnumeratedFold = FullFoldOf<EnumeratedWalk>;
+using EnumeratedFold = OrdersAndPathsOf<EnumeratedWalk>;
 
 /// depth, height, order, fill level, balance, nodes of orders 1..3, streams of orders 1..3.
 using Key = std::array<std::size_t, 11>;
@@ -171,9 +168,9 @@ INSTANTIATE_TEST_SUITE_P(Exact, OutcomeLaw,
 
 /// The generic law of a fold without a tally, value by value, against a special law of the same statistic.
 template <class F, class Law>
-void expect_same(const Model& model, Size largest) {
+void expect_same(const Model& model, Size largest, Law empty) {
   const auto generic = laws_of<F>(model, largest);
-  const Law special = build_law(model, largest, empty_law<Law>(largest));
+  const Law special = build_law(model, largest, std::move(empty));
   for (Size n = 0; n <= largest; ++n) {
     const auto pmf = special.pmf(n);
     double covered = 0;
@@ -191,11 +188,11 @@ class EngineOfModel : public testing::TestWithParam<std::string> {};
 
 TEST_P(EngineOfModel, AgreesWithTheRecurrencesOfOneStatistic) {
   const Model model = Model::parse(GetParam());
-  expect_same<Strahler, StrahlerLaw>(model, 70);
-  expect_same<Balance, BalanceLaw>(model, 70);
-  expect_same<FillLevel, FillLevelLaw>(model, 70);
-  expect_same<Height, HeightLaw>(model, 50);
-  expect_same<LastNodeDepthOf<EnumeratedWalk>, DepthLaw>(model, 40);
+  expect_same<Strahler>(model, 70, BoundedLaw(Strahler::recurrence, 70));
+  expect_same<Balance>(model, 70, BoundedLaw(Balance::recurrence, 70));
+  expect_same<FillLevel>(model, 70, BoundedLaw(FillLevel::recurrence, 70));
+  expect_same<Height>(model, 50, HeightLaw());
+  expect_same<LastNodeDepthOf<EnumeratedWalk>>(model, 40, DepthLaw(LastNodeDepth::recurrence));
 }
 
 TEST_P(EngineOfModel, AgreesWithTheMomentsOfTheCounts) {

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "support/columns.hpp"
 #include "support/goodness.hpp"
 #include "support/growing.hpp"
 #include "support/seed.hpp"
@@ -17,14 +18,11 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "ramify/law/balance_law.hpp"
 #include "ramify/law/build_law.hpp"
 #include "ramify/law/depth_law.hpp"
 #include "ramify/law/exact_means.hpp"
-#include "ramify/law/fill_level_law.hpp"
 #include "ramify/law/height_law.hpp"
 #include "ramify/law/law_limit.hpp"
-#include "ramify/law/strahler_law.hpp"
 #include "ramify/sample/graft_tables.hpp"
 #include "ramify/sample/tree_sampler.hpp"
 #include "ramify/statistic/order_ratios.hpp"
@@ -48,35 +46,25 @@ void sample(const Model& model, SamplingMethod method, Size n, std::uint64_t tre
 /// A statistic that has a pass of its own and an exact law.
 struct Single {
   std::string name;
-  Pass pass;
+  FoldSet pass;
   std::uint32_t TreeMeasures::* value;
-  std::vector<double> (*pmf)(const Model&, Size n);  ///< of the values 0, 1, ...
+
+  /// P(value = 0), 1, ...
+  std::vector<double> pmf(const Model& model, Size n) const {
+    const StatisticLaw laws(test::column(name).statistic->law.recurrence, n);
+    const FiniteLaw law = *build_law(model, n, laws).law(n);
+    std::vector<double> from_0(static_cast<std::size_t>(law.first), 0.0);
+    from_0.insert(from_0.end(), law.probabilities.begin(), law.probabilities.end());
+    return from_0;
+  }
 };
 
-template <class Law>
-std::vector<double> values_from_0(const Law& law, Size n) {
-  std::vector<double> pmf(law.lowest(n), 0.0);
-  const auto tail = law.pmf(n);
-  pmf.insert(pmf.end(), tail.begin(), tail.end());
-  return pmf;
-}
-
-template <class Law>
-std::vector<double> pmf_of(const Model& model, Size n) {
-  return values_from_0(build_law(model, n, empty_law<Law>(n)), n);
-}
-
-std::vector<double> external_depth_pmf(const Model& model, Size n) {
-  return values_from_0(build_law(model, n, DepthLaw(DepthLaw::Of::external_node)), n);
-}
-
-const std::vector<Single> singles{
-    {"strahler", Pass::strahler, &TreeMeasures::strahler, pmf_of<StrahlerLaw>},
-    {"height", Pass::height, &TreeMeasures::height, pmf_of<HeightLaw>},
-    {"fill_level", Pass::fill_level, &TreeMeasures::fill_level, pmf_of<FillLevelLaw>},
-    {"balance", Pass::balance, &TreeMeasures::balance, pmf_of<BalanceLaw>},
-    {"depth", Pass::depth, &TreeMeasures::depth, pmf_of<DepthLaw>},
-    {"external_depth", Pass::external_depth, &TreeMeasures::external_depth, external_depth_pmf}};
+const std::vector<Single> singles{{"strahler", Folded::strahler, &TreeMeasures::strahler},
+                                  {"height", Folded::height, &TreeMeasures::height},
+                                  {"fill_level", Folded::fill_level, &TreeMeasures::fill_level},
+                                  {"balance", Folded::balance, &TreeMeasures::balance},
+                                  {"depth", Folded::depth, &TreeMeasures::depth},
+                                  {"external_depth", Folded::external_depth, &TreeMeasures::external_depth}};
 
 test::Tally tally_of(const Model& model, SamplingMethod method, Size n, std::uint64_t trees,
                      const std::string& tag, std::uint32_t TreeMeasures::* value) {
@@ -99,9 +87,10 @@ constexpr std::uint64_t grown_trees = 10'000;
 
 void expect_singles_of_the_exact_law_and_of_whole_trees(const Model& model, const std::string& name) {
   std::vector<test::Tally> whole(singles.size());
-  sample(model, grow_all, grown_n, grown_trees, name + " whole", [&](const TreeMeasures& m) {
-    for (std::size_t i = 0; i < singles.size(); ++i) ++whole[i][{m.*singles[i].value, 0}];
-  });
+  sample(model, whole_trees(all_but_indices), grown_n, grown_trees, name + " whole",
+         [&](const TreeMeasures& m) {
+           for (std::size_t i = 0; i < singles.size(); ++i) ++whole[i][{m.*singles[i].value, 0}];
+         });
   for (std::size_t i = 0; i < singles.size(); ++i) {
     const Single& single = singles[i];
     const std::string what = name + " " + single.name;
@@ -130,8 +119,9 @@ void expect_joint_passes_of_the_laws_of_whole_trees(const Model& model, const st
     });
     return result;
   };
-  const auto lean = tallies({Pass::lean, true}, "lean"), full = tallies({Pass::full, true}, "full"),
-             whole = tallies(grow_full, "whole");
+  const auto lean = tallies({orders_and_height, true}, "lean"),
+             full = tallies({orders_and_paths, true}, "full"),
+             whole = tallies(whole_trees(orders_and_paths), "whole");
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const std::string what = name + " " + pairs[i].first;
     EXPECT_TRUE(test::agrees(test::two_samples(what + ", full", full[i], whole[i])));
@@ -140,9 +130,9 @@ void expect_joint_passes_of_the_laws_of_whole_trees(const Model& model, const st
   }
 }
 
-void expect_counts_of_the_exact_means(const Model& model, Pass pass, const std::string& name) {
+void expect_counts_of_the_exact_means(const Model& model, FoldSet pass, const std::string& name) {
   // So that mean counts are grafted up to 16 or 32.
-  const Size size = std::min<Size>(pass == Pass::lean ? 1200 : 8192, law_limit(model));
+  const Size size = std::min<Size>(pass == orders_and_height ? 1200 : 8192, law_limit(model));
   std::map<std::string, test::SampleMean> means;
   sample(model, {pass, true}, size, grown_trees, "counts" + name, [&](const TreeMeasures& m) {
     for (std::size_t k = 1; k <= 4; ++k) {
@@ -152,7 +142,8 @@ void expect_counts_of_the_exact_means(const Model& model, Pass pass, const std::
   });
   const ExactMeans exact(model, size);
   for (const auto& [column, mean] : means)
-    EXPECT_TRUE(test::agrees(test::z_test(name + " " + column, mean, exact.moments(column, size)->mean)));
+    EXPECT_TRUE(test::agrees(
+        test::z_test(name + " " + column, mean, exact.moments(test::column(column), size)->mean)));
 }
 
 class Grafted : public testing::TestWithParam<std::string> {};
@@ -166,7 +157,7 @@ TEST_P(Grafted, JointPassesHaveTheLawsOfWholeTrees) {
 }
 
 TEST_P(Grafted, CountsHaveTheExactMeans) {
-  expect_counts_of_the_exact_means(Model::parse(GetParam()), Pass::lean, GetParam());
+  expect_counts_of_the_exact_means(Model::parse(GetParam()), orders_and_height, GetParam());
 }
 
 // A third of the way or half of it, whatever n: holes in every row, and nothing that is symmetric.
@@ -177,7 +168,7 @@ TEST(GraftedTable, HasTheLawsOfWholeTrees) {
   const test::SplitTableFile file(text);
   expect_singles_of_the_exact_law_and_of_whole_trees(file.model(), "table");
   expect_joint_passes_of_the_laws_of_whole_trees(file.model(), "table");
-  expect_counts_of_the_exact_means(file.model(), Pass::lean, "table");
+  expect_counts_of_the_exact_means(file.model(), orders_and_height, "table");
 }
 
 INSTANTIATE_TEST_SUITE_P(Every, Grafted, testing::ValuesIn(test::all_models()), [](const auto& instance) {
@@ -194,7 +185,7 @@ struct RatioSample {
   test::Tally orders;
 };
 
-RatioSample sample_ratios(const Model& model, Pass pass, double centre, const std::string& tag) {
+RatioSample sample_ratios(const Model& model, FoldSet pass, double centre, const std::string& tag) {
   RatioSample result;
   sample(model, {pass, true}, averaged_n, 4000, tag, [&](const TreeMeasures& m) {
     const double ratio = order_ratios(std::span(m.streams).first(m.strahler + 1)).mean_ratio;
@@ -213,24 +204,24 @@ test::Goodness difference(const std::string& what, const test::SampleMean& a, co
 class MeanCountsOf : public testing::TestWithParam<const char*> {};
 
 TEST_P(MeanCountsOf, HaveTheExactMeans) {
-  expect_counts_of_the_exact_means(Model::parse(GetParam()), Pass::mean_counts, GetParam());
+  expect_counts_of_the_exact_means(Model::parse(GetParam()), orders_and_mean_counts, GetParam());
 }
 
 // Order, ratio and its spread, which the averaging of the low orders hardly touches.
 TEST_P(MeanCountsOf, LeaveTheRatiosOfTrees) {
   const Model model = Model::parse(GetParam());
   const std::string name = GetParam();
-  const auto centre = sample_ratios(model, Pass::lean, 0, name + " centre").ratio.mean();
-  const auto counted = sample_ratios(model, Pass::lean, centre, name + " counted");
-  const auto averaged = sample_ratios(model, Pass::mean_counts, centre, name + " averaged");
+  const auto centre = sample_ratios(model, orders_and_height, 0, name + " centre").ratio.mean();
+  const auto counted = sample_ratios(model, orders_and_height, centre, name + " counted");
+  const auto averaged = sample_ratios(model, orders_and_mean_counts, centre, name + " averaged");
   EXPECT_TRUE(test::agrees(test::two_samples(name + " order", counted.orders, averaged.orders)));
   EXPECT_TRUE(test::agrees(difference(name + " ratio", counted.ratio, averaged.ratio)));
   EXPECT_TRUE(test::agrees(difference(name + " spread", counted.square, averaged.square)));
 }
 
 TEST(MeanCounts, OfTheNextModelAreFoundOut) {
-  const auto right = sample_ratios(Model::parse("patricia(0.30)"), Pass::mean_counts, 0, "right");
-  const auto wrong = sample_ratios(Model::parse("patricia(0.29)"), Pass::mean_counts, 0, "wrong");
+  const auto right = sample_ratios(Model::parse("patricia(0.30)"), orders_and_mean_counts, 0, "right");
+  const auto wrong = sample_ratios(Model::parse("patricia(0.29)"), orders_and_mean_counts, 0, "wrong");
   EXPECT_TRUE(test::rejected(difference("p = 0.30 and 0.29", right.ratio, wrong.ratio)));
 }
 

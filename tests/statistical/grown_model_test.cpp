@@ -14,8 +14,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "ramify/law/bounded_law.hpp"
 #include "ramify/law/build_law.hpp"
-#include "ramify/law/strahler_law.hpp"
 #include "ramify/sample/tree_sampler.hpp"
 #include "ramify/tree/parenthesis_word.hpp"
 
@@ -131,8 +131,9 @@ TEST(Trie, ContractedHasThePatriciaShapes) {
 TEST(Trie, HasTheOrdersOfPatriciaTrees) {
   constexpr Size strings = 300;
   const Model trie = Model::parse("trie(0.23)");
-  const auto law = build_law(Model::parse("patricia(0.23)"), strings, StrahlerLaw(strings));
-  const auto sampler = make_tree_sampler({trie, grow_all, strings, &test::uninterrupted});
+  const auto law =
+      build_law(Model::parse("patricia(0.23)"), strings, BoundedLaw(Strahler::recurrence, strings));
+  const auto sampler = make_tree_sampler({trie, whole_trees(all_but_indices), strings, &test::uninterrupted});
   std::vector<std::uint64_t> orders(10, 0);
   TreeMeasures measures;
   for (std::uint64_t replicate = 0; replicate < 20'000; ++replicate) {
@@ -169,7 +170,8 @@ class GrownModels : public testing::TestWithParam<KnownMean> {};
 TEST_P(GrownModels, HaveTheirKnownMeans) {
   const KnownMean& known = GetParam();
   const Model model = Model::parse(known.model);
-  const auto sampler = make_tree_sampler({model, grow_all, known.n, &test::uninterrupted});
+  const auto sampler =
+      make_tree_sampler({model, whole_trees(all_but_indices), known.n, &test::uninterrupted});
   test::SampleMean mean;
   TreeMeasures measures;
   for (std::uint64_t replicate = 0; replicate < known.trees; ++replicate) {

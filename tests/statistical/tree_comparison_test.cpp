@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include "ramify/model/split_tree.hpp"
+#include "ramify/statistic/registry.hpp"
 #include "ramify/tree/parenthesis_word.hpp"
 #include "ramify/tree/store.hpp"
 
@@ -37,7 +38,7 @@ std::map<std::string, double> rejections(const Model& grown, const Model& model,
     const Simulation simulation{test::seed_of("simulated") + replicate, 99, 1};
     for (const auto& row :
          TreeComparison(model, simulation, test::uninterrupted)(tree_of(grown, 60, replicate), "tree"))
-      rejected[row.name] += row.p_value <= 0.05 ? 1 : 0;
+      rejected[row.column.name()] += row.p_value <= 0.05 ? 1 : 0;
   }
   return rejected;
 }
@@ -71,13 +72,13 @@ TEST(TreeComparison, GivesAChainItsNumbers) {
   ASSERT_EQ(rows.size(), 10u);
   for (const auto& row : rows) {
     EXPECT_GE(row.adjusted_p, row.p_value);
-    if (row.name == "height") {
+    if (row.column == statistic::height) {
       EXPECT_EQ(row.observed, 41);
       EXPECT_TRUE(row.exact);
       EXPECT_LT(row.p_value, 1e-20);  // 2^39/40! of all BSTs are chains
       EXPECT_GT(row.effect(), 5);
     }
-    if (row.name == "sackin") {
+    if (row.column == statistic::sackin) {
       EXPECT_FALSE(row.exact);
       EXPECT_EQ(row.p_value, 2.0 / 1000);
     }

@@ -1,8 +1,10 @@
 #include "support/definitions.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <numeric>
+#include <string>
 #include <utility>
 
 namespace ramify::test {
@@ -64,6 +66,61 @@ std::vector<std::size_t> orders_below(const Shape& node) {
   for (const Shape& child : node.children) orders.push_back(strahler(child));
   std::sort(orders.rbegin(), orders.rend());
   return orders;
+}
+
+/// Of every external node, which children lead to it.
+using Path = std::vector<std::size_t>;
+
+void walk_paths(const Shape& shape, Path path, std::vector<Path>& paths) {
+  if (shape.is_external()) paths.push_back(path);
+  path.push_back(0);
+  for (const Shape& child : shape.children) {
+    walk_paths(child, path, paths);
+    ++path.back();
+  }
+}
+
+std::vector<Path> paths_to_leaves(const Shape& shape) {
+  std::vector<Path> paths;
+  walk_paths(shape, {}, paths);
+  return paths;
+}
+
+/// Edges from the root to the last common node.
+std::size_t common(const Path& a, const Path& b) {
+  const auto parting = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
+  return static_cast<std::size_t>(parting.first - a.begin());
+}
+
+bool part_two_and_two(const Path& a, const Path& b, const Path& c, const Path& d) {
+  const std::size_t all = std::min({common(a, b), common(a, c), common(a, d)});
+  return common(a, b) > all && common(c, d) > all;
+}
+
+/// Look at the external nodes below either child of every node that has two.
+void visit_forks(const Shape& shape, const std::function<void(double, double)>& look) {
+  visit(shape, [&](const Shape& node) {
+    if (node.children.size() == 2)
+      look(static_cast<double>(external_nodes(node.children[0])),
+           static_cast<double>(external_nodes(node.children[1])));
+  });
+}
+
+/// The same for shapes that differ by the order of children and by one-child nodes alone.
+std::string unordered_word(const Shape& shape) {
+  if (shape.children.size() == 1) return unordered_word(shape.children[0]);
+  std::vector<std::string> words;
+  for (const Shape& child : shape.children) words.push_back(unordered_word(child));
+  std::sort(words.begin(), words.end());
+  return "(" + std::accumulate(words.begin(), words.end(), std::string()) + ")";
+}
+
+double walk_entropy(const Shape& shape, double probability) {
+  if (shape.is_external()) return -probability * std::log2(probability);
+  double sum = 0;
+  for (const Shape& child : shape.children)
+    sum += walk_entropy(child, probability / static_cast<double>(shape.children.size()));
+  return sum;
 }
 
 }  // namespace
@@ -181,6 +238,102 @@ std::uint64_t colless(const Shape& shape) {
     sum += std::max(left, right) - std::min(left, right);
   });
   return sum;
+}
+
+double total_cophenetic(const Shape& shape) {
+  const auto paths = paths_to_leaves(shape);
+  double sum = 0;
+  for (std::size_t i = 0; i < paths.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) sum += static_cast<double>(common(paths[i], paths[j]));
+  return sum;
+}
+
+double rooted_quartets(const Shape& shape) {
+  const auto p = paths_to_leaves(shape);
+  double balanced = 0;
+  for (std::size_t a = 0; a < p.size(); ++a)
+    for (std::size_t b = 0; b < a; ++b)
+      for (std::size_t c = 0; c < b; ++c)
+        for (std::size_t d = 0; d < c; ++d)
+          if (part_two_and_two(p[a], p[b], p[c], p[d]) || part_two_and_two(p[a], p[c], p[b], p[d]) ||
+              part_two_and_two(p[a], p[d], p[b], p[c]))
+            ++balanced;
+  return 3 * balanced;
+}
+
+double b1(const Shape& shape) {
+  double sum = 0;
+  walk_to_nodes(shape, 0, [&](const Shape& node, std::uint64_t edges) {
+    if (edges > 0 && !node.is_external()) sum += 1 / static_cast<double>(height(node) - 1);
+  });
+  return sum;
+}
+
+double b2(const Shape& shape) {
+  return walk_entropy(shape, 1);
+}
+
+double average_leaf_depth(const Shape& shape) {
+  return static_cast<double>(sackin(shape)) / static_cast<double>(external_nodes(shape));
+}
+
+double variance_leaf_depth(const Shape& shape) {
+  const double mean = average_leaf_depth(shape);
+  double sum = 0;
+  for (const Path& path : paths_to_leaves(shape))
+    sum += (static_cast<double>(path.size()) - mean) * (static_cast<double>(path.size()) - mean);
+  return sum / static_cast<double>(external_nodes(shape));
+}
+
+double stairs1(const Shape& shape) {
+  double forks = 0, uneven = 0;
+  visit_forks(shape, [&](double left, double right) {
+    ++forks;
+    uneven += left != right ? 1 : 0;
+  });
+  return uneven / forks;
+}
+
+double stairs2(const Shape& shape) {
+  double forks = 0, sum = 0;
+  visit_forks(shape, [&](double left, double right) {
+    ++forks;
+    sum += std::min(left / right, right / left);
+  });
+  return sum / forks;
+}
+
+std::uint64_t symmetry_nodes(const Shape& shape) {
+  std::uint64_t count = 0;
+  visit(shape, [&](const Shape& node) {
+    if (node.children.size() == 2 && unordered_word(node.children[0]) != unordered_word(node.children[1]))
+      ++count;
+  });
+  return count;
+}
+
+std::uint64_t pitchforks(const Shape& shape) {
+  std::uint64_t count = 0;
+  visit(shape, [&](const Shape& node) {
+    if (node.children.size() > 1 && external_nodes(node) == 3) ++count;
+  });
+  return count;
+}
+
+double j1(const Shape& shape) {
+  double sum = 0, weights = 0;
+  visit(shape, [&](const Shape& node) {
+    if (node.is_external()) return;
+    const auto leaves = static_cast<double>(external_nodes(node));
+    double entropy = 0;
+    for (const Shape& child : node.children) {
+      const double share = static_cast<double>(external_nodes(child)) / leaves;
+      if (share < 1) entropy -= share * std::log(share) / std::log(static_cast<double>(node.children.size()));
+    }
+    sum += leaves * entropy;
+    weights += leaves;
+  });
+  return sum / weights;
 }
 
 std::uint64_t cherries(const Shape& shape) {

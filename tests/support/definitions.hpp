@@ -61,6 +61,39 @@ std::uint64_t sackin(const Shape& shape);
 /// Sum over the nodes with two children of the difference of their numbers of external nodes.
 std::uint64_t colless(const Shape& shape);
 
+/// Sum over the pairs of external nodes of the depth, in edges, of their last common node.
+double total_cophenetic(const Shape& shape);
+
+/// 3 times the quartets of external nodes that part two and two at their last common node; binary trees.
+double rooted_quartets(const Shape& shape);
+
+/// Sum of 1 over the height, in edges, of every internal node but the root.
+double b1(const Shape& shape);
+
+/// Entropy, in bits, of the external node that a walk reaches which turns to every child alike.
+double b2(const Shape& shape);
+
+/// Mean and variance (divisor m) of the depths, in edges, of all m external nodes.
+double average_leaf_depth(const Shape& shape);
+double variance_leaf_depth(const Shape& shape);
+
+/// Of the nodes with two children the share whose sides have different numbers of external nodes, and the
+/// mean of the smaller over the larger; NaN where there is no such node. Trees of at most two children a
+/// node.
+double stairs1(const Shape& shape);
+double stairs2(const Shape& shape);
+
+/// Nodes with two children, whose subtrees are not the same when left and right are not told apart. Trees of
+/// at most two children a node, one-child nodes contracted.
+std::uint64_t symmetry_nodes(const Shape& shape);
+
+/// Nodes with two children or more and three external nodes below them.
+std::uint64_t pitchforks(const Shape& shape);
+
+/// Mean over the internal nodes, weighted by the external nodes below, of the entropy of how these divide
+/// among the children, to the base of their number; 0 of a one-child node. NaN of a single external node.
+double j1(const Shape& shape);
+
 /// Nodes with two children or more, all of them external once one-child nodes are contracted.
 std::uint64_t cherries(const Shape& shape);
 

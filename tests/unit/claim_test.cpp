@@ -9,6 +9,7 @@
 
 #include "evidence.hpp"
 #include "served_configs.hpp"
+#include "support/columns.hpp"
 #include "support/error_of.hpp"
 #include "verdicts.hpp"
 #include <fmt/format.h>
@@ -135,8 +136,7 @@ std::vector<CheckedCell> cells_of(const RunConfig& config) {
   for (const auto& group : config.groups)
     for (const auto& model : group.models)
       for (const Size n : group.sizes) {
-        ColumnSummary summary;
-        summary.name = config.statistics.chosen().front()->name;
+        ColumnSummary summary{*config.statistics.chosen().front()};
         summary.mean = 2 * std::log(static_cast<double>(n));
         summary.standard_error = 0.01;
         cells.push_back({cells.size() + 1, {model.text(), n, 100, {summary}, {}}, {std::nullopt}});
@@ -169,8 +169,7 @@ std::vector<CheckedCell> committed_cells(const RunConfig& config) {
                         {},
                         {}},
                        {}});
-    ColumnSummary column;
-    column.name = table.at(row, "statistic");
+    ColumnSummary column{test::column(table.at(row, "statistic"))};
     column.mean = table.real(row, "mean");
     column.standard_error = table.real(row, "standard_error");
     column.variance = table.real(row, "variance");

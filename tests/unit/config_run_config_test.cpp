@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "ramify/config/run_config.hpp"
+#include "ramify/statistic/registry.hpp"
 #include "ramify/text/text_file.hpp"
 
 namespace ramify {
@@ -54,7 +55,7 @@ graft      = false
   EXPECT_EQ(config.claim, "C20");
   EXPECT_EQ(config.seed, 7u);
   EXPECT_FALSE(config.graft);
-  EXPECT_TRUE(config.statistics.contains("streams"));
+  EXPECT_TRUE(config.statistics.contains(statistic::streams));
   EXPECT_EQ(config.statistics.chosen().size(), 3u);
   ASSERT_EQ(config.groups.size(), 1u);
   EXPECT_EQ(texts(config.groups[0].models), (std::vector<std::string>{"bst", "patricia(1/4.35)"}));

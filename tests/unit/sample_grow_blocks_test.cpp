@@ -13,7 +13,7 @@
 namespace ramify {
 namespace {
 
-constexpr SamplingMethod grafted{Pass::lean, true};
+constexpr SamplingMethod grafted{orders_and_height, true};
 
 GrowingJob job(const char* model, Size n, std::uint64_t first, std::uint64_t last,
                std::uint64_t most = 1024) {

@@ -45,8 +45,8 @@ TEST(MeasureTree, SeesWhatTheGrowingPassSees) {
   const Cancellation never;
   for (const std::string& text : test::all_models()) {
     const Model model = Model::parse(text);
-    const auto all = make_tree_sampler({model, grow_all, max_size, &never});
-    const auto full = make_tree_sampler({model, grow_full, max_size, &never});
+    const auto all = make_tree_sampler({model, whole_trees(all_but_indices), max_size, &never});
+    const auto full = make_tree_sampler({model, whole_trees(orders_and_paths), max_size, &never});
     for (const Size n : {0u, 1u, 2u, 7u, 100u, 20'000u}) {
       SCOPED_TRACE(text + ", n = " + std::to_string(n));
       const StreamKey key{7, model.stream_cell(n)};
@@ -69,7 +69,8 @@ TEST(MeasureTree, SeesTheOrdersThatAreAskedForAlone) {
     const Model model = Model::parse(text);
     Stream stream({7, 8}, 9);
     const Tree tree = model.grown().grow(n, stream, never);
-    const TreeMeasures all = measure_tree(tree, {7, 8}, 9), orders = measure_orders_and_height(tree);
+    const TreeMeasures all = measure_tree(tree, {7, 8}, 9),
+                       orders = measure_tree(tree, {7, 8}, 9, orders_and_height);
     EXPECT_EQ(orders.size, all.size) << text;
     EXPECT_EQ(orders.strahler, all.strahler) << text;
     EXPECT_EQ(orders.height, all.height) << text;

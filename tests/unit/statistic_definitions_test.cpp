@@ -30,20 +30,12 @@ double quotient(std::uint64_t above, std::uint64_t below) {
                     : static_cast<double>(above) / static_cast<double>(below);
 }
 
-StatisticSet all_statistics() {
-  std::vector<std::string> names;
-  for (const auto& info : statistics()) names.emplace_back(info.name);
-  return StatisticSet::parse(names);
-}
-
 Values measured(const test::Shape& shape, std::uint64_t replicate = 0) {
   const TreeMeasures measures =
       measure_tree(from_parentheses(test::to_word(shape)), {test::seed_of("measured"), 0}, replicate);
-  const auto columns = all_statistics().columns(measures.strahler + 1);
-  std::vector<StatisticValue> row;
-  write_statistics(columns, measures, row);
   Values values;
-  for (std::size_t i = 0; i < columns.size(); ++i) values[columns[i].name] = as_real(columns[i], row[i]);
+  for (const StatisticColumn& column : StatisticSet::all().columns(measures.strahler + 1))
+    values[column.name()] = column.real_value(measures);
   return values;
 }
 
@@ -96,6 +88,29 @@ void define_orders(const test::Shape& shape, Values& values) {
   }
 }
 
+bool is_binary(const test::Shape& shape) {
+  return shape.children.size() <= 2 && std::ranges::all_of(shape.children, is_binary);
+}
+
+void define_indices(const test::Shape& shape, Values& values) {
+  const auto levels = test::nodes_per_level(shape);
+  const double undefined = std::numeric_limits<double>::quiet_NaN();
+  const auto of_binary = [&](double value) { return is_binary(shape) ? value : undefined; };
+  values["total_cophenetic"] = test::total_cophenetic(shape);
+  values["rooted_quartets"] = of_binary(test::rooted_quartets(shape));
+  values["b1"] = test::b1(shape);
+  values["b2"] = test::b2(shape);
+  values["average_leaf_depth"] = test::average_leaf_depth(shape);
+  values["variance_leaf_depth"] = test::variance_leaf_depth(shape);
+  values["maximum_width_over_maximum_depth"] =
+      quotient(*std::max_element(levels.begin(), levels.end()), test::height(shape) - 1);
+  values["stairs1"] = of_binary(test::stairs1(shape));
+  values["stairs2"] = of_binary(test::stairs2(shape));
+  values["symmetry_nodes"] = of_binary(static_cast<double>(test::symmetry_nodes(shape)));
+  values["pitchforks"] = static_cast<double>(test::pitchforks(shape));
+  values["j1"] = test::j1(shape);
+}
+
 /// Of the walks, which are random, the test below takes care.
 Values defined(const test::Shape& shape) {
   const auto levels = test::nodes_per_level(shape);
@@ -114,6 +129,7 @@ Values defined(const test::Shape& shape) {
                 {"balance", real(test::balance(shape))},
                 {"alternate_balance", real(test::balance(shape) + 1)}};
   define_orders(shape, values);
+  define_indices(shape, values);
   return values;
 }
 

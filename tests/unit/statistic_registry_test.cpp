@@ -25,9 +25,9 @@ TEST(StatisticSet, RefusesWhatItDoesNotKnow) {
   EXPECT_NE(names_refusal({}).find("no statistic"), std::string::npos);
 }
 
-Names names_of(const std::vector<StatisticSet::Column>& columns) {
+Names names_of(const std::vector<StatisticColumn>& columns) {
   Names names;
-  for (const auto& column : columns) names.push_back(column.name);
+  for (const auto& column : columns) names.push_back(column.name());
   return names;
 }
 
@@ -36,8 +36,8 @@ TEST(StatisticSet, NamesItsColumnsBySizeAlone) {
   EXPECT_EQ(names_of(set.columns(0)), (Names{"height", "streams_0", "strahler"}));
   EXPECT_EQ(names_of(set.columns(3)),
             (Names{"height", "streams_0", "streams_1", "streams_2", "streams_3", "strahler"}));
-  EXPECT_TRUE(set.contains("streams"));
-  EXPECT_FALSE(set.contains("nodes"));
+  EXPECT_TRUE(set.contains(statistic::streams));
+  EXPECT_FALSE(set.contains(statistic::nodes));
   EXPECT_EQ(names_of(StatisticSet::parse(Names{"tokunaga", "side_branches", "ramification"}).columns(2)),
             (Names{"tokunaga_1", "tokunaga_2", "side_branches_1_0", "side_branches_2_0", "side_branches_2_1",
                    "ramification_1_0", "ramification_1_1", "ramification_2_0", "ramification_2_1",
@@ -46,7 +46,7 @@ TEST(StatisticSet, NamesItsColumnsBySizeAlone) {
 
 TEST(Statistics, HaveEachADifferentName) {
   std::set<std::string_view> names;
-  for (const auto& info : statistics()) {
+  for (const StatisticInfo& info : statistics()) {
     EXPECT_TRUE(names.insert(info.name).second) << info.name;
     EXPECT_FALSE(info.convention.empty());
     EXPECT_FALSE(info.source.empty());
@@ -59,7 +59,8 @@ TEST(Statistics, HaveEachADifferentName) {
 // split(0.25), n = 15 is a fixed tree (A6): N = 16,11,4, streams 16,5,1, height 8.
 TEST(WriteStatistics, WritesEveryColumnInOrder) {
   const Cancellation never;
-  const auto sampler = make_tree_sampler({Model::parse("split(0.25)"), grow_full, max_size, &never});
+  const auto sampler =
+      make_tree_sampler({Model::parse("split(0.25)"), whole_trees(orders_and_paths), max_size, &never});
   TreeMeasures measures;
   sampler->sample(15, {0, 0}, 0, measures);
   const auto set = StatisticSet::parse(
@@ -76,7 +77,8 @@ TEST(WriteStatistics, WritesEveryColumnInOrder) {
 
 TEST(WriteStatistics, GivesNoRatioToASingleExternalNode) {
   const Cancellation never;
-  const auto sampler = make_tree_sampler({Model::parse("bst"), grow_full, max_size, &never});
+  const auto sampler =
+      make_tree_sampler({Model::parse("bst"), whole_trees(orders_and_paths), max_size, &never});
   TreeMeasures measures;
   sampler->sample(0, {0, 0}, 0, measures);
   EXPECT_EQ(measures.size, 0u);

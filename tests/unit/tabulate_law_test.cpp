@@ -9,6 +9,10 @@
 #include <gtest/gtest.h>
 
 #include "ramify/io/csv_writer.hpp"
+#include "ramify/statistic/height.hpp"
+#include "ramify/statistic/last_node_depth.hpp"
+#include "ramify/statistic/registry.hpp"
+#include "ramify/statistic/strahler.hpp"
 #include "ramify/tabulate/law_request.hpp"
 #include "ramify/tabulate/law_table.hpp"
 
@@ -19,7 +23,7 @@ constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 LawRequest request(std::string_view model, const std::string& statistic, std::vector<Size> sizes,
                    LawQuantity quantity = LawQuantity::law) {
-  return {Model::parse(model), statistic, quantity, std::move(sizes)};
+  return {Model::parse(model), LawSubject::parse(statistic), quantity, std::move(sizes)};
 }
 
 std::string law_refusal(const LawRequest& request, const LawCost& limit) {
@@ -31,17 +35,32 @@ Size suggested(const std::string& message) {
   return std::stoull(message.substr(message.find("--n ") + 4));
 }
 
-TEST(LawRequest, OfAStatisticWithoutALawNamesThoseThatHaveOne) {
-  const std::string message = law_refusal(request("bst", "size", {10}), {unlimited, unlimited});
-  EXPECT_NE(message.find("strahler, height, depth, external_depth, fill_level, balance, orders, path_length"),
-            std::string::npos)
-      << message;
-  EXPECT_NE(law_refusal(request("bst", "heigth", {10}), {unlimited, unlimited}).find("did you mean height"),
-            std::string::npos);
+std::string subject_refusal(const char* subject) {
+  try {
+    LawSubject::parse(subject);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(LawSubject, WithoutALawNamesThoseThatHaveOne) {
+  EXPECT_NE(
+      subject_refusal("size").find("strahler, registers, height, depth, external_depth, fill_level, balance, "
+                                   "alternate_balance, orders, path_length, sackin, colless, cherries"),
+      std::string::npos)
+      << subject_refusal("size");
+  EXPECT_NE(subject_refusal("heigth").find("did you mean height"), std::string::npos);
+}
+
+TEST(LawSubject, IsEveryStatisticThatIsListedWithALaw) {
+  for (const StatisticInfo& info : statistics())
+    EXPECT_EQ(subject_refusal(info.name.data()).empty(), known_of(info.law.recurrence) >= Known::moments)
+        << info.name;
 }
 
 TEST(LawRequest, OfCovariancesIsForOrdersAlone) {
-  for (const auto& statistic : law_statistics())
+  for (const auto& statistic : law_subjects())
     EXPECT_EQ(law_refusal(request("bst", statistic, {10}, LawQuantity::covariances), {unlimited, unlimited})
                   .empty(),
               statistic == "orders")
@@ -49,7 +68,7 @@ TEST(LawRequest, OfCovariancesIsForOrdersAlone) {
 }
 
 TEST(LawRequest, OfASumIsForItsMomentsAlone) {
-  for (const auto& statistic : moment_statistics()) {
+  for (const auto& statistic : moment_subjects()) {
     const auto refused = [&](LawQuantity quantity) {
       return law_refusal(request("bst", statistic, {10}, quantity), {unlimited, unlimited});
     };
@@ -84,7 +103,7 @@ std::vector<std::string> models_and_extremes() {
 class LawLimit : public testing::TestWithParam<std::string> {};
 
 TEST_P(LawLimit, IsKeptAndTheSizeSuggestedIsNearIt) {
-  for (const auto& statistic : law_statistics()) {
+  for (const auto& statistic : law_subjects()) {
     for (const LawCost& limit : {LawCost{1e9, unlimited}, LawCost{unlimited, 10}, LawCost{1e8, 100}}) {
       const std::string message = law_refusal(request(GetParam(), statistic, {Size{1} << 40}), limit);
       ASSERT_NE(message, "") << statistic;
@@ -101,11 +120,15 @@ INSTANTIATE_TEST_SUITE_P(Models, LawLimit, testing::ValuesIn(models_and_extremes
 
 TEST(LawLimit, GrowsWithEverySize) {
   for (const std::string& text : models_and_extremes()) {
-    for (const LawKind kind :
-         {LawKind::bounded, LawKind::height, LawKind::depth, LawKind::order_means, LawKind::order_moments}) {
+    const CountOfOrder counts{OrderCount::Of::nodes};
+    for (const LawWork& work : std::vector<LawWork>{{Strahler::recurrence},
+                                                    {Height::recurrence},
+                                                    {LastNodeDepth::recurrence},
+                                                    {counts, true},
+                                                    {counts}}) {
       LawCost last{0, 0};
       for (Size n = 1; n <= Size{1} << 50; n *= 2) {
-        const LawCost cost = law_cost(Model::parse(text), kind, n);
+        const LawCost cost = law_cost(Model::parse(text), work, n);
         EXPECT_GT(cost.bytes, last.bytes) << text << ' ' << n;
         EXPECT_GT(cost.seconds, last.seconds) << text << ' ' << n;
         last = cost;
@@ -183,7 +206,7 @@ TEST(LawTable, OfExternalDepthsAndSums) {
 TEST(LawTable, StopsWhenCancelled) {
   Cancellation cancellation;
   cancellation.request();
-  for (const auto& statistic : law_statistics())
+  for (const auto& statistic : law_subjects())
     EXPECT_THROW(law_table(request("bst", statistic, {5}), cancellation), Interrupted) << statistic;
 }
 

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "ramify/law/exact_means.hpp"
+#include "ramify/statistic/registry.hpp"
 #include "ramify/theory/beta_horton_ratio.hpp"
 #include "ramify/theory/bst_horton_ratio.hpp"
 #include "ramify/theory/gauss_jacobi.hpp"
@@ -140,8 +141,8 @@ double gained(const ramify::ExactMeans& exact, double ratio) {
   const auto mean = [&exact](double n) {
     const auto below = static_cast<ramify::Size>(n);
     const double share = n - std::floor(n);
-    return (1 - share) * exact.moments("strahler", below)->mean +
-           share * exact.moments("strahler", below + 1)->mean;
+    return (1 - share) * exact.moments(ramify::statistic::strahler, below)->mean +
+           share * exact.moments(ramify::statistic::strahler, below + 1)->mean;
   };
   const double largest = static_cast<double>(exact.largest_n() - 1);
   return mean(largest) - mean(largest / ratio);

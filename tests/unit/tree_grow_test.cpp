@@ -25,8 +25,8 @@ class EveryModel : public ::testing::TestWithParam<std::string> {};
 TEST_P(EveryModel, GrowsTheTreeItStores) {
   const Model model = Model::parse(GetParam());
   const Cancellation never;
-  const auto full = make_tree_sampler({model, grow_full, max_size, &never});
-  const auto lean = make_tree_sampler({model, grow_lean, max_size, &never});
+  const auto full = make_tree_sampler({model, whole_trees(orders_and_paths), max_size, &never});
+  const auto lean = make_tree_sampler({model, whole_trees(orders_and_height), max_size, &never});
   const std::uint64_t seed = seed_of("grown and stored");
   TreeMeasures streamed, quick;
   for (const Size n : {0u, 1u, 2u, 3u, 7u, 50u, 127u, 128u, 129u, 130u, 1000u, 20000u}) {
@@ -62,7 +62,7 @@ TEST_P(EveryModel, GrowsTheTreeItStores) {
 TEST_P(EveryModel, MeasuresByTheDefinitions) {
   const Model model = Model::parse(GetParam());
   const Cancellation never;
-  const auto sampler = make_tree_sampler({model, grow_full, max_size, &never});
+  const auto sampler = make_tree_sampler({model, whole_trees(orders_and_paths), max_size, &never});
   const StreamKey key{seed_of("definitions"), model.stream_cell(40)};
   const auto store = test::tree_source(GetParam(), key, test::default_tables);
   for (std::uint64_t replicate = 0; replicate < 20; ++replicate) {
@@ -85,7 +85,7 @@ TEST_P(EveryModel, MeasuresByTheDefinitions) {
 TEST_P(EveryModel, ReplaysOneTreeAlone) {
   const Model model = Model::parse(GetParam());
   const Cancellation never;
-  const auto sampler = make_tree_sampler({model, grow_full, max_size, &never});
+  const auto sampler = make_tree_sampler({model, whole_trees(orders_and_paths), max_size, &never});
   const auto other = sampler->clone();
   const StreamKey key{seed_of("replay"), model.stream_cell(300)};
   TreeMeasures in_order, alone;

@@ -20,9 +20,12 @@
 namespace ramify {
 namespace {
 
-const std::vector<std::string> compared{
-    "strahler", "height", "width",   "fill_level",       "balance",
-    "cherries", "sackin", "colless", "nodes_mean_ratio", "streams_mean_ratio"};
+/// Each has one column.
+StatisticSet compared() {
+  using namespace statistic;
+  return StatisticSet({&strahler, &height, &width, &fill_level, &balance, &cherries, &sackin, &colless,
+                       &nodes_mean_ratio, &streams_mean_ratio});
+}
 
 void require_comparable(const Tree& tree, const Model& model, std::string_view where) {
   if (tree.size() < 2)
@@ -42,11 +45,9 @@ void require_comparable(const Tree& tree, const Model& model, std::string_view w
 
 using Row = std::vector<double>;
 
-Row values_of(const std::vector<StatisticSet::Column>& columns, const TreeMeasures& measures) {
-  std::vector<StatisticValue> row;
-  write_statistics(columns, measures, row);
+Row values_of(const std::vector<StatisticColumn>& columns, const TreeMeasures& measures) {
   Row values;
-  for (std::size_t i = 0; i < columns.size(); ++i) values.push_back(as_real(columns[i], row[i]));
+  for (const StatisticColumn& column : columns) values.push_back(column.real_value(measures));
   return values;
 }
 
@@ -54,10 +55,11 @@ Row values_of(const std::vector<StatisticSet::Column>& columns, const TreeMeasur
 constexpr std::uint64_t most_trees = 16;
 
 /// The statistics of simulated trees, tree by tree.
-std::vector<Row> simulated(const Model& model, Size n, const std::vector<StatisticSet::Column>& columns,
+std::vector<Row> simulated(const Model& model, Size n, const std::vector<StatisticColumn>& columns,
                            const Simulation& simulation, const Cancellation& cancellation) {
   std::vector<Row> rows(simulation.trees);
-  const GrowingJob job{model, n, simulation.seed, grow_all, 0, simulation.trees, most_trees};
+  const GrowingJob job{model,     n, simulation.seed, whole_trees(all_but_indices), 0, simulation.trees,
+                       most_trees};
   grow_blocks({job}, simulation.threads, cancellation, [&](const Block&, const BlockTrees& trees) {
     trees.each([&](std::uint64_t replicate, const TreeMeasures& measures) {
       rows[replicate] = values_of(columns, measures);
@@ -101,24 +103,24 @@ Moments simulated_moments(const std::vector<Row>& rows, std::size_t column) {
 
 /// What trees of the model have at one size.
 struct TreeComparison::Reference {
-  std::vector<StatisticSet::Column> columns;
+  std::vector<StatisticColumn> columns;
   std::optional<ExactMeans> exact;  ///< none of a model that is grown whole
   std::vector<Row> trees;           ///< simulated
 
   Reference(const Model& model, Size n, const Simulation& simulation, const Cancellation& cancellation)
-      : columns(StatisticSet::parse(compared).columns(model.largest_order(n))),
+      : columns(compared().columns(model.largest_order(n))),
         trees(simulated(model, n, columns, simulation, cancellation)) {
     if (model.is_split()) exact.emplace(model, n);
   }
 
   ComparedStatistic compare(std::size_t i, Size n, double observed) const {
-    const std::string& name = columns[i].name;
-    const auto known = exact ? exact->moments(name, n) : std::nullopt;
+    const auto known = exact ? exact->moments(columns[i], n) : std::nullopt;
     const bool has_moments = known && !std::isnan(known->variance);
     const Moments moments = has_moments ? *known : simulated_moments(trees, i);
-    const auto law = exact ? exact->law(name, n) : std::nullopt;
+    const auto law = exact ? exact->law(columns[i], n) : std::nullopt;
     const double p = law ? exact_p_value(*law, observed) : simulated_p_value(trees, i, observed);
-    return {name, observed, moments.mean, std::sqrt(std::max(0.0, moments.variance)), p, 0, law.has_value()};
+    return {columns[i], observed, moments.mean,   std::sqrt(std::max(0.0, moments.variance)),
+            p,          0,        law.has_value()};
   }
 };
 
@@ -146,7 +148,8 @@ std::vector<ComparedStatistic> TreeComparison::operator()(const Tree& tree, std:
   const Size n = tree.size();
   model_.require_size(n);
   const Reference& trees = reference(n);
-  const Row observed = values_of(trees.columns, measure_tree(tree, {simulation_.seed, 0}, 0));
+  const Row observed =
+      values_of(trees.columns, measure_tree(tree, {simulation_.seed, 0}, 0, all_but_indices));
   std::vector<ComparedStatistic> result;
   std::vector<double> p_values;
   for (std::size_t i = 0; i < observed.size(); ++i) {

@@ -9,13 +9,14 @@
 
 #include "ramify/core/cancellation.hpp"
 #include "ramify/model/registry.hpp"
+#include "ramify/statistic/statistic_info.hpp"
 #include "ramify/tree/tree.hpp"
 
 namespace ramify {
 
 /// One statistic of a tree beside what trees of a model have at its size.
 struct ComparedStatistic {
-  std::string name;
+  StatisticColumn column;
   double observed;
   double expected;    ///< exact mean where it is known, else that of the simulated trees
   double deviation;   ///< standard deviation of one tree, likewise: its standard error under the model

@@ -44,7 +44,7 @@ ResponseSurface::ResponseSurface(const ModelInfo& model, Size n, std::uint64_t s
 }
 
 std::vector<ResponsePoint> ResponseSurface::sample(std::span<const ResponseRequest> requests) const {
-  const Pass pass = n_ <= largest_counted ? Pass::lean : Pass::mean_counts;
+  const FoldSet pass = n_ <= largest_counted ? orders_and_height : orders_and_mean_counts;
   std::vector<GrowingJob> jobs;
   std::vector<std::vector<RatioValues>> values;
   for (const ResponseRequest& request : requests) {

@@ -13,8 +13,8 @@ constexpr double negligible = 1e-30;
 
 }  // namespace
 
-BoundedLaw::BoundedLaw(JoinRule rule, Size largest_n)
-    : rule_(rule), top_(static_cast<std::ptrdiff_t>(HortonStrahler::largest_order(largest_n))) {
+BoundedLaw::BoundedLaw(BoundedJoin join, Size largest_n)
+    : rule_(*join.rule), top_(static_cast<std::ptrdiff_t>(HortonStrahler::largest_order(largest_n))) {
   for (auto& form : series_) {
     form.resize(static_cast<std::size_t>(top_) + 3);
     for (auto& of_value : form) of_value.reserve(largest_n + 1);

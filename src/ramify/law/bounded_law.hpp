@@ -7,31 +7,9 @@
 
 #include "ramify/law/moments.hpp"
 #include "ramify/law/size_series.hpp"
+#include "ramify/statistic/exact_law.hpp"
 
 namespace ramify {
-
-/// The forms in which a law's probabilities enter a join, at a value k.
-enum class LawForm : std::size_t {
-  at,     ///< P(V = k)
-  below,  ///< P(V < k)
-  from,   ///< P(V >= k)
-};
-
-/// One way to a joined value of k: the smaller child's V in one form at k + smaller_shift, and the larger
-/// child's in another at k + larger_shift. Shifts are -1, 0 or 1.
-struct JoinTerm {
-  LawForm smaller;
-  int smaller_shift;
-  LawForm larger;
-  int larger_shift;
-};
-
-/// The ways of a statistic, which exclude each other: P(V = k) of the parent is the sum over them of the
-/// product of the children's probabilities. Equal children may join in another way.
-struct JoinRule {
-  std::span<const JoinTerm> unequal;
-  std::span<const JoinTerm> equal;
-};
 
 /// The exact law of a statistic with values 0..floor(log2(n+1)), for every size 0..n: the fold over
 /// distributions.
@@ -43,7 +21,7 @@ struct JoinRule {
 class BoundedLaw {
  public:
   /// Room for the sizes 0..largest_n; at first only size 0 is known, with V = 0.
-  BoundedLaw(JoinRule rule, Size largest_n);
+  BoundedLaw(BoundedJoin join, Size largest_n);
 
   /// The sizes 0..sizes()-1 are known.
   Size sizes() const { return sizes_; }

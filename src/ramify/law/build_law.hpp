@@ -1,24 +1,13 @@
 #pragma once
 
-#include <concepts>
-
 #include "ramify/core/cancellation.hpp"
 #include "ramify/core/error.hpp"
 #include "ramify/law/split_rows.hpp"
 
 namespace ramify {
 
-/// A law that holds nothing but size 0, with room up to n where it asks for that.
-template <class Law>
-Law empty_law(Size n) {
-  if constexpr (std::constructible_from<Law, Size>) {
-    return Law(n);
-  } else {
-    return Law();
-  }
-}
-
-/// A law with all sizes up to n: build_law(model, n, StrahlerLaw(n)), build_law(model, n, HeightLaw()).
+/// A law with all sizes up to n: build_law(model, n, BoundedLaw(Balance::recurrence, n)),
+/// build_law(model, n, HeightLaw()).
 /// Cost: the law's own (law_cost.hpp), and a split row for each size.
 ///
 /// Throws Interrupted when cancelled, which is looked at before each size.

@@ -4,6 +4,7 @@
 
 #include "ramify/law/moments.hpp"
 #include "ramify/law/split_row.hpp"
+#include "ramify/statistic/exact_law.hpp"
 
 namespace ramify {
 
@@ -16,11 +17,9 @@ namespace ramify {
 /// about 40 for bst at n = 1000.
 class DepthLaw {
  public:
-  enum class Of { last_node, external_node };
-
   /// Only size 0 is known at first.
-  explicit DepthLaw(Of of = Of::last_node)
-      : weight_of_none_(of == Of::external_node ? 1 : 0), laws_{{weight_of_none_, {1.0}}} {}
+  explicit DepthLaw(WeightedWalk walk)
+      : weight_of_none_(walk.weight_of_none), laws_{{weight_of_none_, {1.0}}} {}
 
   Size sizes() const { return laws_.size(); }
 

@@ -26,32 +26,36 @@ struct Use {
   double nanoseconds;
 };
 
-Use use(const Model& model, LawKind kind, Size n) {
-  const auto orders = static_cast<double>(HortonStrahler::largest_order(n));
-  const double strahler = 3 * (orders + 3), means = strahler + 2 * (orders + 1), counts = 2 * orders;
-  const double series = sizeof(double);
+/// Of each recurrence, up to size n.
+struct UseOf {
+  const Model& model;
+  Size n;
+  bool means_alone;
+
+  static constexpr double series = sizeof(double);
+  double orders() const { return static_cast<double>(HortonStrahler::largest_order(n)); }
+  double bounded_series() const { return 3 * (orders() + 3); }
+
+  Use operator()(std::monostate) const { return {0, 0}; }
+  Use operator()(KnownBySize) const { return {0, 0}; }
+  Use operator()(BoundedJoin) const { return {bounded_series() * series, 8}; }
   // The width at half the size stands for the mean over all sizes.
-  switch (kind) {
-    case LawKind::bounded:
-      return {strahler * series, 8};
-    case LawKind::height: {
-      const double width = height_width(model, n / 2);
-      return {12 * width + 36, width};
-    }
-    case LawKind::depth: {
-      const double width = depth_width(model, n / 2);
-      return {8 * width + 64, width};
-    }
-    case LawKind::node_sum:
-      return {2 * series, 8};
-    case LawKind::order_means:
-      return {means * series, 20};
-    case LawKind::order_moments:
-      break;
+  Use operator()(LongestPath) const {
+    const double width = height_width(model, n / 2);
+    return {12 * width + 36, width};
   }
-  const double moments = counts * (2 * orders + 4) + counts * (counts + 1) / 2;
-  return {(means + moments) * series, 20 + 2 * counts * counts};
-}
+  Use operator()(WeightedWalk) const {
+    const double width = depth_width(model, n / 2);
+    return {8 * width + 64, width};
+  }
+  Use operator()(NodeSum) const { return {2 * series, 8}; }
+  Use operator()(const CountOfOrder&) const {
+    const double means = bounded_series() + 2 * (orders() + 1), counts = 2 * orders();
+    if (means_alone) return {means * series, 20};
+    const double moments = counts * (2 * orders() + 4) + counts * (counts + 1) / 2;
+    return {(means + moments) * series, 20 + 2 * counts * counts};
+  }
+};
 
 /// 12345 -> 12000.
 Size two_digits(Size n) {
@@ -62,19 +66,19 @@ Size two_digits(Size n) {
 
 }  // namespace
 
-LawCost law_cost(const Model& model, LawKind kind, Size n) {
+LawCost law_cost(const Model& model, const LawWork& work, Size n) {
   const auto size = static_cast<double>(n) + 1;
   const SplitCharacter character = model.character();
-  const Use law = use(model, kind, n);
+  const Use law = std::visit(UseOf{model, n, work.means_alone}, work.recurrence);
   return {size * (character.row.bytes + law.bytes),
           row_entries(character.fraction, size) * (character.row.nanoseconds + law.nanoseconds) * 1e-9};
 }
 
-Size largest_affordable(const Model& model, LawKind kind, const LawCost& limit) {
+Size largest_affordable(const Model& model, const LawWork& work, const LawCost& limit) {
   Size low = 0, high = model.largest_size();
   while (low < high) {
     const Size middle = high - (high - low) / 2;
-    const LawCost cost = law_cost(model, kind, middle);
+    const LawCost cost = law_cost(model, work, middle);
     if (cost.bytes <= limit.bytes && cost.seconds <= limit.seconds)
       low = middle;
     else

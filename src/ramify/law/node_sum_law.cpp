@@ -1,38 +1,31 @@
 #include "ramify/law/node_sum_law.hpp"
 
+#include <array>
+
 #include "ramify/core/contract.hpp"
 
 namespace ramify {
 
-NodeSumLaw::NodeSumLaw(Of of) : of_(of) {
+NodeSumLaw::NodeSumLaw(NodeSum sum) : toll_(sum.toll), child_weight_(sum.averaged ? 0.5 : 1) {
   mean_.append(0);
   variance_.append(0);
 }
 
-double NodeSumLaw::cost(const SplitRow& row, std::size_t m) const {
-  switch (of_) {
-    case Of::path_length:
-      return static_cast<double>(row.n - 1);
-    case Of::sackin:
-      return static_cast<double>(row.n + 1);
-    case Of::colless:
-      break;
-  }
-  return static_cast<double>(row.larger(m) - row.smaller(m));
-}
-
 void NodeSumLaw::extend(const SplitRow& row) {
   RAMIFY_EXPECTS(row.n == sizes_);
-  const auto given = [&](std::size_t m) {
-    return mean_[row.smaller(m)] + mean_[row.larger(m)] + cost(row, m);
-  };
   double mean = 0, variance = 0;
-  for (std::size_t m = 0; m < row.weights.size(); ++m) mean += row.weights[m] * given(m);
+  given_.clear();
   for (std::size_t m = 0; m < row.weights.size(); ++m) {
-    const double deviation = given(m) - mean;
+    const Size smaller = row.smaller(m), larger = row.larger(m);
+    given_.push_back(child_weight_ * (mean_[smaller] + mean_[larger]) +
+                     toll_(std::array{smaller + 1, larger + 1}));
+    mean += row.weights[m] * given_.back();
+  }
+  for (std::size_t m = 0; m < row.weights.size(); ++m) {
+    const double deviation = given_[m] - mean;
     variance += row.weights[m] * deviation * deviation;
   }
-  variance += over_children(row, variance_);
+  variance += child_weight_ * child_weight_ * over_children(row, variance_);
   mean_.append(mean);
   variance_.append(variance);
   ++sizes_;

@@ -1,10 +1,11 @@
 #include "ramify/law/order_means.hpp"
 
 #include "ramify/statistic/horton_strahler.hpp"
+#include "ramify/statistic/strahler.hpp"
 
 namespace ramify {
 
-OrderMeans::OrderMeans(Size largest_n) : strahler_(largest_n) {
+OrderMeans::OrderMeans(Size largest_n) : strahler_(Strahler::recurrence, largest_n) {
   const std::size_t orders = HortonStrahler::largest_order(largest_n) + 1;
   for (auto* counts : {&nodes_, &streams_}) {
     counts->resize(orders);

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "ramify/law/order_count.hpp"
-#include "ramify/law/strahler_law.hpp"
+#include "ramify/law/bounded_law.hpp"
+#include "ramify/statistic/order_count.hpp"
 
 namespace ramify {
 
@@ -30,12 +30,12 @@ class OrderMeans {
   /// E of one count; 0 for an order above K.
   double mean(Size n, OrderCount count) const;
 
-  const StrahlerLaw& strahler() const { return strahler_; }
+  const BoundedLaw& strahler() const { return strahler_; }
 
  private:
   static std::vector<double> at_size(const std::vector<SizeSeries>& counts, Size n);
 
-  StrahlerLaw strahler_;
+  BoundedLaw strahler_;
   std::vector<SizeSeries> nodes_, streams_;
 };
 

@@ -4,8 +4,9 @@
 
 #include "ramify/core/json_text.hpp"
 #include "ramify/io/json_writer.hpp"
-#include "ramify/measure/registry_columns.hpp"
+#include "ramify/measure/column_value.hpp"
 #include "ramify/statistic/order_ratios.hpp"
+#include "ramify/statistic/statistic_set.hpp"
 #include "ramify/statistic/stream_geometry.hpp"
 
 namespace ramify {
@@ -36,7 +37,7 @@ std::string second_law(const std::vector<double>& means) {
 
 /// One column as a number, several as a list, pairs of orders as a list of rows.
 JsonMembers statistics_of(const TreeMeasurement& tree, unsigned leaf_order) {
-  const auto columns = detail::registry_columns(tree.orders.streams.size() - 1, leaf_order);
+  const auto columns = StatisticSet::all().columns(tree.orders.streams.size() - 1);
   JsonMembers members;
   for (std::size_t i = 0; i < columns.size();) {
     const StatisticInfo& statistic = *columns[i].statistic;

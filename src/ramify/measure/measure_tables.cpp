@@ -2,8 +2,9 @@
 
 #include <algorithm>
 
-#include "ramify/measure/registry_columns.hpp"
+#include "ramify/measure/column_value.hpp"
 #include "ramify/statistic/node_labels.hpp"
+#include "ramify/statistic/statistic_set.hpp"
 #include "ramify/statistic/stream_geometry.hpp"
 #include "ramify/tree/each_edge.hpp"
 
@@ -66,9 +67,9 @@ Table summary_table(const std::vector<TreeMeasurement>& trees, unsigned leaf_ord
   const bool radii = any(trees, [](const auto& tree) { return !tree.orders.mean_radii.empty(); });
   std::size_t largest = 0;
   for (const auto& tree : trees) largest = std::max(largest, tree.orders.streams.size() - 1);
-  const auto columns = detail::registry_columns(largest, leaf_order);
+  const auto columns = StatisticSet::all().columns(largest);
   std::vector<std::string> header{"tree", "leaf_order"};
-  for (const auto& column : columns) header.push_back(column.name);
+  for (const auto& column : columns) header.push_back(column.name(leaf_order));
   header.insert(header.end(), {"nodes_pooled_ratio", "streams_pooled_ratio"});
   if (lengths) std::ranges::copy(ratio_columns("length"), std::back_inserter(header));
   if (radii) {

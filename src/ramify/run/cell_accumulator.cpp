@@ -4,14 +4,16 @@
 #include <limits>
 #include <stdexcept>
 
+#include "ramify/statistic/registry.hpp"
+
 namespace ramify {
 namespace {
 
 constexpr Estimate none{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
 
 template <class Summary>
-ColumnSummary moments_of(const Summary& values) {
-  ColumnSummary summary;
+ColumnSummary moments_of(const StatisticColumn& column, const Summary& values) {
+  ColumnSummary summary{column};
   summary.trees = values.count();
   summary.mean = values.mean();
   summary.variance = values.variance();
@@ -19,8 +21,8 @@ ColumnSummary moments_of(const Summary& values) {
   return summary;
 }
 
-ColumnSummary summarise_whole(const WholeSummary& values) {
-  ColumnSummary summary = moments_of(values);
+ColumnSummary summarise(const StatisticColumn& column, const WholeSummary& values) {
+  ColumnSummary summary = moments_of(column, values);
   summary.min = static_cast<double>(values.min());
   summary.q05 = static_cast<double>(values.quantile(0.05));
   summary.q50 = static_cast<double>(values.quantile(0.5));
@@ -31,8 +33,8 @@ ColumnSummary summarise_whole(const WholeSummary& values) {
   return summary;
 }
 
-ColumnSummary summarise_real(const RealSummary& values) {
-  ColumnSummary summary = moments_of(values);
+ColumnSummary summarise(const StatisticColumn& column, const RealSummary& values) {
+  ColumnSummary summary = moments_of(column, values);
   if (values.count() == 0) return summary;
   const auto quantiles = values.quantiles({1e-300, 0.05, 0.5, 0.95, 1});
   summary.min = quantiles[0];
@@ -52,15 +54,15 @@ void CellSums::merge(const CellSums& later) {
   streams.merge(later.streams);
 }
 
-const ColumnSummary& CellResult::column(const std::string& name) const {
+const ColumnSummary& CellResult::column(const StatisticColumn& column) const {
   for (const auto& summary : columns)
-    if (summary.name == name) return summary;
-  throw std::out_of_range("no column " + name);
+    if (summary.column == column) return summary;
+  throw std::out_of_range("no column " + column.name());
 }
 
 CellAccumulator::CellAccumulator(const StatisticSet& statistics, std::size_t largest_order)
     : columns_(statistics.columns(largest_order)),
-      counts_orders_(statistics.contains("nodes") || statistics.contains("streams")) {
+      counts_orders_(statistics.contains(statistic::nodes) || statistics.contains(statistic::streams)) {
   std::size_t wholes = 0, reals = 0;
   for (const auto& column : columns_) slot_.push_back(column.statistic->real ? reals++ : wholes++);
   sums_.wholes.resize(wholes);
@@ -82,11 +84,9 @@ void CellAccumulator::add(const TreeMeasures& measures) {
 
 std::vector<ColumnSummary> CellAccumulator::summarise() const {
   std::vector<ColumnSummary> columns;
-  for (std::size_t i = 0; i < columns_.size(); ++i) {
-    columns.push_back(columns_[i].statistic->real ? summarise_real(sums_.reals[slot_[i]])
-                                                  : summarise_whole(sums_.wholes[slot_[i]]));
-    columns.back().name = columns_[i].name;
-  }
+  for (std::size_t i = 0; i < columns_.size(); ++i)
+    columns.push_back(columns_[i].statistic->real ? ramify::summarise(columns_[i], sums_.reals[slot_[i]])
+                                                  : ramify::summarise(columns_[i], sums_.wholes[slot_[i]]));
   return columns;
 }
 

@@ -26,7 +26,7 @@ class CellAccumulator {
   std::vector<ColumnSummary> summarise() const;
   std::vector<OrderSummary> summarise_orders() const;
 
-  std::vector<StatisticSet::Column> columns_;
+  std::vector<StatisticColumn> columns_;
   bool counts_orders_;
   std::vector<StatisticValue> row_;
   std::vector<std::size_t> slot_;  // of each column: index into the whole or the real sums

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ramify/accumulate/estimate.hpp"
+#include "ramify/statistic/statistic_info.hpp"
 #include "ramify/tree/grammar.hpp"
 
 namespace ramify {
@@ -16,7 +17,7 @@ namespace ramify {
 struct ColumnSummary {
   static constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-  std::string name;
+  StatisticColumn column;
   std::uint64_t trees = 0;
   double mean = none;  ///< none where no tree has a value
   double standard_error = none;
@@ -24,7 +25,7 @@ struct ColumnSummary {
   double min = none, q05 = none, q50 = none, q95 = none, max = none;
   /// Value and number of trees; kept where there are at most histogram_values different whole values, else
   /// empty.
-  std::vector<std::pair<std::int64_t, std::uint64_t>> histogram;
+  std::vector<std::pair<std::int64_t, std::uint64_t>> histogram = {};
 
   static constexpr std::size_t histogram_values = 64;
 };
@@ -43,9 +44,9 @@ struct CellResult {
   std::vector<ColumnSummary> columns;
   std::vector<OrderSummary> orders;  ///< orders 0.., where nodes or streams were asked for
 
-  /// The column of that name; throws std::out_of_range where there is none (a claim's config must ask for
-  /// it).
-  const ColumnSummary& column(const std::string& name) const;
+  /// What is known of the column; throws std::out_of_range where it is not there (a claim's config must ask
+  /// for it).
+  const ColumnSummary& column(const StatisticColumn& column) const;
 };
 
 }  // namespace ramify

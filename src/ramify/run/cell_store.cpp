@@ -43,14 +43,15 @@ constexpr std::array<std::pair<const char*, double ColumnSummary::*>, 8> column_
      {"max", &ColumnSummary::max}}};
 
 json to_json(const ColumnSummary& c) {
-  json j{{"name", c.name}, {"trees", c.trees}, {"histogram", c.histogram}};
+  json j{{"name", c.column.name()}, {"trees", c.trees}, {"histogram", c.histogram}};
   for (const auto& [key, member] : column_numbers) j[key] = number(c.*member);
   return j;
 }
 
-ColumnSummary to_column(const json& j) {
-  ColumnSummary c;
-  j.at("name").get_to(c.name);
+/// Nothing where it is another column.
+std::optional<ColumnSummary> to_summary(const json& j, const StatisticColumn& column) {
+  if (j.at("name") != column.name()) return std::nullopt;
+  ColumnSummary c{column};
   j.at("trees").get_to(c.trees);
   j.at("histogram").get_to(c.histogram);
   for (const auto& [key, member] : column_numbers) c.*member = number(j.at(key));
@@ -70,12 +71,19 @@ json to_json(const CellResult& cell) {
           {"orders", orders}};
 }
 
-CellResult to_cell(const json& j) {
+/// Nothing where it holds other columns than these.
+std::optional<CellResult> to_cell(const json& j, const std::vector<StatisticColumn>& columns) {
   CellResult cell;
+  const json& stored = j.at("columns");
+  if (stored.size() != columns.size()) return std::nullopt;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    auto summary = to_summary(stored.at(i), columns[i]);
+    if (!summary) return std::nullopt;
+    cell.columns.push_back(std::move(*summary));
+  }
   j.at("model").get_to(cell.model);
   j.at("n").get_to(cell.n);
   j.at("replicates").get_to(cell.replicates);
-  for (const auto& column : j.at("columns")) cell.columns.push_back(to_column(column));
   for (const auto& order : j.at("orders"))
     cell.orders.push_back({to_estimate(order.at(0)), to_estimate(order.at(1)), to_estimate(order.at(2)),
                            to_estimate(order.at(3))});
@@ -98,9 +106,10 @@ std::optional<CellResult> CellStore::load(std::size_t index) const {
   const json content = json::parse(file, nullptr, false);
   if (content.is_discarded()) return std::nullopt;
   try {
-    CellResult cell = to_cell(content);
-    cell.model = plan_->cells[index].model.text();
-    return cell;
+    const Cell& cell = plan_->cells[index];
+    auto result = to_cell(content, plan_->statistics.columns(cell.model.largest_order(cell.n)));
+    if (result) result->model = cell.model.text();
+    return result;
   } catch (const json::exception&) {
     return std::nullopt;  // a damaged file is grown again
   }

@@ -20,7 +20,7 @@ double standard_error(const ColumnSummary& column, const Moments& exact) {
 }
 
 std::optional<ExactCheck> check(const ColumnSummary& column, const CellResult& cell, const ExactMeans& laws) {
-  const auto exact = laws.moments(column.name, cell.n);
+  const auto exact = laws.moments(column.column, cell.n);
   if (!exact) return std::nullopt;
   return ExactCheck{exact->mean, (column.mean - exact->mean) / standard_error(column, *exact)};
 }

@@ -18,11 +18,12 @@ PlotSeries& series_of(std::vector<PlotSeries>& series, const std::string& model)
   return series.emplace_back(PlotSeries{model, PlotSeries::Style::points_line, {}, {}});
 }
 
-std::vector<PlotSeries> means_by_model(const std::vector<CheckedCell>& cells, const std::string& column) {
+std::vector<PlotSeries> means_by_model(const std::vector<CheckedCell>& cells,
+                                       const StatisticInfo& statistic) {
   std::vector<PlotSeries> series;
   for (const auto& cell : cells) {
     auto& line = series_of(series, cell.result.model);
-    const auto& summary = cell.result.column(column);
+    const auto& summary = cell.result.column(statistic);
     line.points.push_back({static_cast<double>(cell.result.n), summary.mean, 2 * summary.standard_error});
   }
   for (auto& line : series)
@@ -47,9 +48,9 @@ std::vector<std::pair<std::string, Plot>> run_plots(const std::vector<CheckedCel
                                                     const StatisticSet& statistics) {
   std::vector<std::pair<std::string, Plot>> plots;
   for (const auto* info : statistics.chosen()) {
-    if (info->shape != Columns::one || info->name == "size") continue;
+    if (info->shape != Columns::one || info->folds.empty()) continue;
     const std::string name(info->name);
-    auto series = means_by_model(cells, name);
+    auto series = means_by_model(cells, *info);
     const bool has_line =
         std::any_of(series.begin(), series.end(), [](const auto& s) { return s.points.size() > 1; });
     if (!has_line) continue;

@@ -28,7 +28,7 @@ Table summary_table(const std::vector<CheckedCell>& cells) {
     for (std::size_t i = 0; i < cell.result.columns.size(); ++i) {
       const auto& c = cell.result.columns[i];
       auto row = head(cell, c.trees);
-      row.text(c.name);
+      row.text(c.column.name());
       for (const double value : {c.mean, c.standard_error, c.variance, c.min, c.q05, c.q50, c.q95, c.max})
         row.summary(value);
       if (const auto& check = cell.checks[i])
@@ -64,7 +64,7 @@ Table histograms_table(const std::vector<CheckedCell>& cells) {
   for (const auto& cell : cells) {
     for (const auto& column : cell.result.columns) {
       for (const auto& [value, trees] : column.histogram) {
-        table.add(head(cell, column.trees).text(column.name).whole(value).whole(trees));
+        table.add(head(cell, column.trees).text(column.column.name()).whole(value).whole(trees));
       }
     }
   }

@@ -3,7 +3,7 @@
 
 namespace ramify::detail {
 
-std::unique_ptr<TreeSampler> all_sampler(const SamplerOrder& order) {
+std::unique_ptr<TreeSampler> all_but_indices_sampler(const SamplerOrder& order) {
   return make_sampler_of<Stacked<AllFold>>(order);
 }
 

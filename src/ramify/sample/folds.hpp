@@ -2,6 +2,7 @@
 
 #include <concepts>
 #include <numeric>
+#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -20,30 +21,38 @@
 #include "ramify/statistic/shape_indices.hpp"
 #include "ramify/statistic/stacked.hpp"
 #include "ramify/statistic/strahler.hpp"
+#include "ramify/statistic/toll_sums.hpp"
 #include "ramify/statistic/tree_measures.hpp"
 
 namespace ramify {
 
-// Larger values first: the lean pack is 8 bytes, the full one 12.
-using LeanFold = Joint<Height, HortonStrahler>;
+// Larger values first: the first pack is 8 bytes, the second 12.
+using OrdersAndHeight = Joint<Height, HortonStrahler>;
 template <class Walk>
-using FullFoldOf = Joint<LastNodeDepthOf<Walk>, Height, HortonStrahler, FillLevel, Balance>;
-using FullFold = FullFoldOf<RandomWalk>;
-template <class BalanceFold>
-using AllFoldOf =
-    Joint<ExternalDepth, ShapeIndices, LastNodeDepth, Height, LevelProfile, BiOrders, FillLevel, BalanceFold>;
-using AllFold = AllFoldOf<Balance>;
-/// Of a stored tree of any arity.
-using MeasuredFold = AllFoldOf<BalanceByLeaves>;
+using OrdersAndPathsOf = Joint<LastNodeDepthOf<Walk>, Height, HortonStrahler, FillLevel, Balance>;
+using OrdersAndPaths = OrdersAndPathsOf<RandomWalk>;
+template <class BalanceFold, class... More>
+using AllFoldOf = Joint<ExternalDepth, ShapeIndices, LastNodeDepth, Height, LevelProfile, BiOrders, FillLevel,
+                        BalanceFold, More...>;
+template <class BalanceFold, class... Indices>
+AllFoldOf<BalanceFold, TollSums, Indices...> with_indices(IndexList<Indices...>);
 
-/// False for a fold of which whole trees have too many outcomes to be tabulated.
+using AllFold = AllFoldOf<Balance>;
+using IndexedFold = decltype(with_indices<Balance>(IndexFolds()));
+// Of a stored tree of any arity.
+using MeasuredFold = AllFoldOf<BalanceByLeaves>;
+using MeasuredIndexedFold = decltype(with_indices<BalanceByLeaves>(IndexFolds()));
+
+/// A joint fold on a stack of its own: whole trees have too many outcomes to be tabulated.
 template <class F>
-inline constexpr bool is_grafted = !std::is_same_v<F, Stacked<AllFold>>;
+concept KeepsStack = requires { typename F::Pack; };
+template <class F>
+inline constexpr bool is_grafted = !KeepsStack<F>;
 
 /// The fold of one tree; a walk gets its choices from `walk`.
 template <class F, class Walk>
 F make_fold(Walk walk) {
-  if constexpr (std::is_same_v<F, FullFoldOf<Walk>>) {
+  if constexpr (std::is_same_v<F, OrdersAndPathsOf<Walk>>) {
     return F(LastNodeDepthOf<Walk>(walk), Height(), HortonStrahler(), FillLevel(), Balance());
   } else if constexpr (std::is_same_v<F, LastNodeDepthOf<Walk>>) {
     return F(walk);
@@ -52,23 +61,23 @@ F make_fold(Walk walk) {
   }
 }
 
-template <class BalanceFold>
-AllFoldOf<BalanceFold> make_all(StreamKey key, std::uint64_t replicate, BalanceFold balance) {
+template <class BalanceFold, class... More>
+void make_all(StreamKey key, std::uint64_t replicate, std::optional<AllFoldOf<BalanceFold, More...>>& made) {
   const RandomWalk walk(Stream(key, replicate, Lane::walk));
   const RandomWalk to_external(Stream(key, replicate, Lane::external_walk));
-  return AllFoldOf<BalanceFold>(ExternalDepth(to_external), ShapeIndices(), LastNodeDepth(walk), Height(),
-                                LevelProfile(), BiOrders(), FillLevel(), balance);
+  made.emplace(ExternalDepth(to_external), ShapeIndices(), LastNodeDepth(walk), Height(), LevelProfile(),
+               BiOrders(), FillLevel(), BalanceFold(), More()...);
 }
 
 /// The fold of the tree (key, replicate), with walks of their own streams.
 template <class F>
 F make_fold(StreamKey key, std::uint64_t replicate) {
-  if constexpr (std::is_same_v<F, Stacked<AllFold>>) {
-    return F(make_fold<AllFold>(key, replicate));
-  } else if constexpr (std::is_same_v<F, AllFold>) {
-    return make_all(key, replicate, Balance());
-  } else if constexpr (std::is_same_v<F, MeasuredFold>) {
-    return make_all(key, replicate, BalanceByLeaves());
+  if constexpr (KeepsStack<F>) {
+    return F(make_fold<typename F::Folds>(key, replicate));
+  } else if constexpr (requires(std::optional<F>& made) { make_all(key, replicate, made); }) {
+    std::optional<F> made;
+    make_all(key, replicate, made);
+    return std::move(*made);
   } else {
     return make_fold<F>(RandomWalk(Stream(key, replicate, Lane::walk)));
   }
@@ -99,6 +108,14 @@ inline void record(const ShapeIndices& indices, ShapeIndices::Value, TreeMeasure
 }
 inline void record(const LevelProfile& profile, LevelProfile::Value root, TreeMeasures& measures) {
   measures.width = profile.width(root);
+}
+inline void record(const TollSums& tolls, TollSums::Value, TreeMeasures& measures) {
+  measures.toll_sums = tolls.sums();
+}
+template <class Index>
+  requires(IndexFolds::holds<Index>)
+void record(const Index& fold, const typename Index::Value& root, TreeMeasures& measures) {
+  measures.indices[IndexFolds::place_of<Index>] = fold.index(root);
 }
 template <class Walk>
 void record(const LastNodeDepthOf<Walk>&, std::uint32_t root, TreeMeasures& measures) {

@@ -6,8 +6,10 @@
 
 #include <fmt/format.h>
 
+#include "ramify/core/contract.hpp"
 #include "ramify/law/law_cost.hpp"
 #include "ramify/sample/mean_counts.hpp"
+#include "ramify/statistic/registry.hpp"
 
 namespace ramify {
 namespace {
@@ -15,30 +17,24 @@ namespace {
 constexpr Size smallest_grafted = 1024;
 constexpr LawCost table_cost{64e6, 1};
 
-Size largest_table(const Model& model, Pass pass) {
-  switch (pass) {
-    case Pass::depth:
-    case Pass::external_depth:
-    case Pass::all:
-      return 0;
-    case Pass::full:
-      return 12;
-    case Pass::lean:
-      return 28;
-    case Pass::mean_counts:
-      return MeanCounts::largest_grafted;
-    case Pass::height:
-      return std::bit_floor(largest_affordable(model, LawKind::height, table_cost));
-    case Pass::strahler:
-    case Pass::fill_level:
-    case Pass::balance:
-      break;
-  }
-  return std::bit_floor(largest_affordable(model, LawKind::bounded, table_cost));
+/// The recurrence of the statistic that a fold alone gives.
+const Recurrence& recurrence_of(FoldSet pass) {
+  const auto& all = statistics();
+  const auto found = std::ranges::find(all, pass, [](const StatisticInfo& info) { return info.folds; });
+  RAMIFY_EXPECTS(found != all.end());
+  return found->get().law.recurrence;
+}
+
+Size largest_table(const Model& model, FoldSet pass) {
+  if (is_walk(pass) || is_streamed(pass)) return 0;
+  if (pass == orders_and_paths) return 12;
+  if (pass == orders_and_height) return 28;
+  if (pass == orders_and_mean_counts) return MeanCounts::largest_grafted;
+  return std::bit_floor(largest_affordable(model, {recurrence_of(pass)}, table_cost));
 }
 
 /// The tables grow by a factor of 5 from step to step: more trees must pay for them.
-Size lean_graft(Size n) {
+Size orders_and_height_graft(Size n) {
   if (n < Size{1} << 16) return 16;
   return n < Size{1} << 22 ? 20 : 28;
 }
@@ -52,19 +48,9 @@ Size single_graft(Size n) {
   return std::bit_floor(static_cast<Size>(8 * std::sqrt(static_cast<double>(n))));
 }
 
-bool is_walk(Pass pass) {
-  return pass == Pass::depth || pass == Pass::external_depth;
-}
-
-Size graft(Pass pass, Size n) {
-  switch (pass) {
-    case Pass::lean:
-      return lean_graft(n);
-    case Pass::mean_counts:
-      return mean_counts_graft(n);
-    default:
-      return single_graft(n);
-  }
+Size graft(FoldSet pass, Size n) {
+  if (pass == orders_and_height) return orders_and_height_graft(n);
+  return pass == orders_and_mean_counts ? mean_counts_graft(n) : single_graft(n);
 }
 
 }  // namespace
@@ -91,8 +77,8 @@ double GraftRule::grown_nodes(Size n) const {
 
 std::string GraftRule::describe(Size n) const {
   if (!model_.is_split()) return "every node is grown";
-  if (method_.pass == Pass::depth) return "the walk to the last node alone";
-  if (method_.pass == Pass::external_depth) return "the walk to an external node alone";
+  if (method_.pass == Folded::depth) return "the walk to the last node alone";
+  if (method_.pass == Folded::external_depth) return "the walk to an external node alone";
   if (size(n) == 0) return "every node is grown";
   return fmt::format("{} of subtrees up to n = {} drawn from the exact law", ramify::describe(method_.pass),
                      size(n));

@@ -12,9 +12,9 @@ namespace ramify {
 ///
 /// Trees below n = 1024 are grown whole. One statistic: subtrees up to the power of two at or below 8
 /// sqrt(n), so that a table costs no more than a few trees, and no further than its law is estimated to take
-/// a second and 64 MB (law_cost.hpp): 16384 for the order of a bst. Several at once: up to 16 to 28 in
-/// the lean pass and 12 in the full one, where the outcomes are still few (3,000 to 135,000). Mean counts: a
-/// 256th of the tree, to 2048, and to 8192 from 2^26 on.
+/// a second and 64 MB (law_cost.hpp): 16384 for the order of a bst. Several at once: up to 16 to 28
+/// of orders and height, 12 of orders and paths, where the outcomes are still few (3,000 to 135,000). Mean
+/// counts: a 256th of the tree, to 2048, and to 8192 from 2^26 on.
 class GraftRule {
  public:
   GraftRule(const Model& model, SamplingMethod method);

@@ -1,53 +1,33 @@
 #include "ramify/sample/graft_tables.hpp"
 
-#include "ramify/law/balance_law.hpp"
 #include "ramify/law/build_law.hpp"
 #include "ramify/law/conditional_order_means.hpp"
-#include "ramify/law/fill_level_law.hpp"
-#include "ramify/law/height_law.hpp"
-#include "ramify/law/strahler_law.hpp"
+#include "ramify/law/statistic_law.hpp"
 
 namespace ramify {
 namespace {
 
-/// The law of the statistic that a fold computes.
+/// A fold whose whole law has a recurrence.
 template <class F>
-struct LawOf;
-template <>
-struct LawOf<Strahler> {
-  using type = StrahlerLaw;
-};
-template <>
-struct LawOf<FillLevel> {
-  using type = FillLevelLaw;
-};
-template <>
-struct LawOf<Balance> {
-  using type = BalanceLaw;
-};
-template <>
-struct LawOf<Height> {
-  using type = HeightLaw;
-};
+concept HasLaw = std::same_as<decltype(F::recurrence), const BoundedJoin> ||
+                 std::same_as<decltype(F::recurrence), const LongestPath>;
 
 template <class F>
-concept HasLaw = requires { typename LawOf<F>::type; };
-
-template <class F, class Law>
-OutcomesOf<F> outcomes(const Law& law, Size n) {
+OutcomesOf<F> outcomes(const FiniteLaw& law) {
   OutcomesOf<F> possible;
-  const auto pmf = law.pmf(n);
-  for (std::size_t i = 0; i < pmf.size(); ++i)
-    if (pmf[i] > 0) possible.push_back({static_cast<typename F::Value>(law.lowest(n) + i), {}, pmf[i]});
+  auto value = static_cast<typename F::Value>(law.first);
+  for (const double probability : law.probabilities) {
+    if (probability > 0) possible.push_back({value, {}, probability});
+    ++value;
+  }
   return possible;
 }
 
 template <HasLaw F>
 GraftTableOf<F> tabulate(const Model& model, Size largest, const Cancellation& cancellation) {
-  using Law = typename LawOf<F>::type;
-  const auto law = build_law(model, largest, empty_law<Law>(largest), cancellation);
+  const auto law = build_law(model, largest, StatisticLaw(F::recurrence, largest), cancellation);
   GraftTableOf<F> table;
-  for (Size n = 0; n <= largest; ++n) table.append(outcomes<F>(law, n));
+  for (Size n = 0; n <= largest; ++n) table.append(outcomes<F>(*law.law(n)));
   return table;
 }
 
@@ -67,7 +47,7 @@ GraftTableOf<F> tabulate(const Model& model, Size largest, const Cancellation& c
   GraftTableOf<F> table;
   for (Size n = 0; n <= largest; ++n) {
     OutcomesOf<F> possible;
-    for (const auto& order : outcomes<Strahler>(means.strahler(), n))
+    for (const auto& order : outcomes<Strahler>(finite_law(means.strahler(), n)))
       possible.push_back({order.value, mean_tally(given_order, n, order.value), order.probability});
     table.append(std::move(possible));
   }
@@ -78,7 +58,8 @@ template <class F>
 GraftTableOf<F> tabulate(const Model& model, Size largest, const Cancellation& cancellation) {
   GraftTableOf<F> table;
   const auto make = [](ChoicePath& path) {
-    using Enumerated = std::conditional_t<std::is_same_v<F, FullFold>, FullFoldOf<EnumeratedWalk>, F>;
+    using Enumerated =
+        std::conditional_t<std::is_same_v<F, OrdersAndPaths>, OrdersAndPathsOf<EnumeratedWalk>, F>;
     return make_fold<Enumerated>(EnumeratedWalk(path));
   };
   for (const auto& law : outcome_laws(model, largest, make, cancellation)) table.append(law);
@@ -103,9 +84,9 @@ template std::shared_ptr<const GraftTableOf<Balance>> make_graft_table<Balance>(
                                                                                 const Cancellation&);
 template std::shared_ptr<const GraftTableOf<MeanCounts>> make_graft_table<MeanCounts>(const Model&, Size,
                                                                                       const Cancellation&);
-template std::shared_ptr<const GraftTableOf<LeanFold>> make_graft_table<LeanFold>(const Model&, Size,
-                                                                                  const Cancellation&);
-template std::shared_ptr<const GraftTableOf<FullFold>> make_graft_table<FullFold>(const Model&, Size,
-                                                                                  const Cancellation&);
+template std::shared_ptr<const GraftTableOf<OrdersAndHeight>> make_graft_table<OrdersAndHeight>(
+    const Model&, Size, const Cancellation&);
+template std::shared_ptr<const GraftTableOf<OrdersAndPaths>> make_graft_table<OrdersAndPaths>(
+    const Model&, Size, const Cancellation&);
 
 }  // namespace ramify

@@ -11,7 +11,7 @@ namespace ramify {
 /// The graft table of a fold, sizes 0..largest: from the statistic's own law where the fold is one statistic,
 /// from the generic engine where it is a joint one; for MeanCounts from the law of the order and the mean
 /// counts given it. A second or so for the sizes of GraftRule. Throws Interrupted when cancelled.
-/// @tparam F  Strahler, Height, FillLevel, Balance, MeanCounts, LeanFold or FullFold
+/// @tparam F  Strahler, Height, FillLevel, Balance, MeanCounts, OrdersAndHeight or OrdersAndPaths
 template <class F>
 std::shared_ptr<const GraftTableOf<F>> make_graft_table(const Model& model, Size largest,
                                                         const Cancellation& cancellation);

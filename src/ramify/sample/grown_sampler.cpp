@@ -12,17 +12,12 @@ class GrownSampler final : public TreeSampler {
   void sample(Size n, StreamKey key, std::uint64_t replicate, TreeMeasures& measures) override {
     Stream stream(key, replicate);
     const Tree tree = order_.model.grown().grow(n, stream, *order_.cancellation);
-    measures = reads_orders_alone() ? measure_orders_and_height(tree) : measure_tree(tree, key, replicate);
+    measures = measure_tree(tree, key, replicate, order_.method.pass);
   }
 
   std::unique_ptr<TreeSampler> clone() const override { return std::make_unique<GrownSampler>(order_); }
 
  private:
-  bool reads_orders_alone() const {
-    const Pass pass = order_.method.pass;
-    return pass == Pass::lean || pass == Pass::strahler || pass == Pass::height;
-  }
-
   SamplerOrder order_;
 };
 

@@ -3,12 +3,12 @@
 
 namespace ramify::detail {
 
-std::unique_ptr<TreeSampler> lean_sampler(const SamplerOrder& order) {
-  return make_sampler_of<LeanFold>(order);
+std::unique_ptr<TreeSampler> orders_and_height_sampler(const SamplerOrder& order) {
+  return make_sampler_of<OrdersAndHeight>(order);
 }
 
-std::unique_ptr<TreeSampler> full_sampler(const SamplerOrder& order) {
-  return make_sampler_of<FullFold>(order);
+std::unique_ptr<TreeSampler> orders_and_paths_sampler(const SamplerOrder& order) {
+  return make_sampler_of<OrdersAndPaths>(order);
 }
 
 std::unique_ptr<TreeSampler> mean_counts_sampler(const SamplerOrder& order) {

@@ -16,12 +16,10 @@ TreeMeasures measure_by(F fold, const Tree& tree) {
 
 }  // namespace
 
-TreeMeasures measure_tree(const Tree& tree, StreamKey key, std::uint64_t replicate) {
-  return measure_by(make_fold<MeasuredFold>(key, replicate), tree);
-}
-
-TreeMeasures measure_orders_and_height(const Tree& tree) {
-  return measure_by(LeanFold(), tree);
+TreeMeasures measure_tree(const Tree& tree, StreamKey key, std::uint64_t replicate, FoldSet folds) {
+  if (orders_and_height.contains(folds)) return measure_by(OrdersAndHeight(), tree);
+  return folds.contains(Folded::indices) ? measure_by(make_fold<MeasuredIndexedFold>(key, replicate), tree)
+                                         : measure_by(make_fold<MeasuredFold>(key, replicate), tree);
 }
 
 }  // namespace ramify

@@ -1,39 +1,56 @@
 #pragma once
 
-#include "ramify/statistic/registry.hpp"
+#include "ramify/statistic/statistic_set.hpp"
 
 namespace ramify {
 
-/// What is folded while a tree grows.
-enum class Pass {
-  lean,            ///< order, height, counts of nodes and streams
-  full,            ///< those, depth, fill level and balance
-  all,             ///< all there is; every node is grown
-  strahler,        ///< the order of the root alone
-  height,          ///< alone
-  fill_level,      ///< alone
-  balance,         ///< alone
-  depth,           ///< the walk to the last node: nothing is grown beside it
-  external_depth,  ///< the walk to an external node
-  mean_counts,     ///< order, and counts of which the small subtrees are averaged (mean_counts.hpp)
-};
+// What is folded together while a tree grows; what is folded alone is a set of one.
+
+/// What nearly every run asks.
+inline constexpr FoldSet orders_and_height{Folded::strahler, Folded::counts, Folded::height};
+
+/// Those, and the lengths of other paths: to the last node, to the highest leaf, of small children.
+inline constexpr FoldSet orders_and_paths =
+    orders_and_height | FoldSet{Folded::depth, Folded::fill_level, Folded::balance};
+
+/// Those, and what is not grafted: every node is grown.
+inline constexpr FoldSet all_but_indices =
+    orders_and_paths | FoldSet{Folded::external_depth, Folded::path_sums, Folded::profile, Folded::bi_orders};
+
+/// All there is.
+inline constexpr FoldSet all_folds = all_but_indices | Folded::indices;
+
+/// Order, and counts of which the small subtrees are averaged (mean_counts.hpp).
+inline constexpr FoldSet orders_and_mean_counts{Folded::strahler, Folded::mean_counts};
 
 /// How the trees of a run are sampled: a fixed function of the statistics that are asked for.
 struct SamplingMethod {
-  Pass pass;
-  bool graft;  ///< false: every node is grown, in the lean, the full or the last pass
+  FoldSet pass;
+  bool graft;  ///< false: every node is grown, and more than one thing folded
 
   friend bool operator==(const SamplingMethod&, const SamplingMethod&) = default;
 };
 
-inline constexpr SamplingMethod grow_lean{Pass::lean, false}, grow_full{Pass::full, false},
-    grow_all{Pass::all, false};
+/// Every node is grown.
+constexpr SamplingMethod whole_trees(FoldSet pass) {
+  return {pass, false};
+}
 
-/// One statistic alone (and the size) has a pass of its own; several share the lean or the full one. Without
-/// grafts there are those two.
+/// One fold alone (and the size) has a pass of its own where it can be grafted or walked; others share the
+/// least of the sets above that holds them.
 SamplingMethod sampling_method(const StatisticSet& statistics, bool graft);
 
+/// Every node is grown, whatever the method says.
+constexpr bool is_streamed(FoldSet pass) {
+  return pass.contains(all_but_indices);
+}
+
+/// A walk down, with nothing grown beside it.
+constexpr bool is_walk(FoldSet pass) {
+  return pass == Folded::depth || pass == Folded::external_depth;
+}
+
 /// What a pass folds: "strahler", "order, height and counts".
-std::string_view describe(Pass pass);
+std::string_view describe(FoldSet pass);
 
 }  // namespace ramify

@@ -1,6 +1,7 @@
 #include "ramify/core/error.hpp"
 #include "ramify/model/split_tree.hpp"
 #include "ramify/sample/samplers.hpp"
+#include "ramify/statistic/external_depth.hpp"
 #include "ramify/statistic/last_node_depth.hpp"
 
 namespace ramify::detail {
@@ -9,12 +10,13 @@ namespace {
 /// Nodes on the walk from the root to the last node, or to an external node.
 struct WalkKind {
   Lane lane;
-  Size weight_of_none;  ///< a child of size i is taken with probability proportional to i + this
-  Size last;            ///< sizes up to this end the walk
+  WeightedWalk walk;
+  Size last;  ///< sizes up to this end the walk
   std::uint32_t TreeMeasures::* depth;
 };
-constexpr WalkKind to_last_node{Lane::walk, 0, 1, &TreeMeasures::depth};
-constexpr WalkKind to_external_node{Lane::external_walk, 1, 0, &TreeMeasures::external_depth};
+constexpr WalkKind to_last_node{Lane::walk, LastNodeDepth::recurrence, 1, &TreeMeasures::depth};
+constexpr WalkKind to_external_node{Lane::external_walk, ExternalDepth::recurrence, 0,
+                                    &TreeMeasures::external_depth};
 
 /// Walks down, drawing the splits on its way only: O(depth).
 template <class Law>
@@ -32,7 +34,8 @@ class WalkSampler final : public TreeSampler {
     for (Size here = n; here > kind_.last; ++depth) {
       if (depth % nodes_between_looks == 0 && cancellation_->requested()) throw Interrupted();
       const Pair<Size> children = grammar_.children(here, stream);
-      const Pair<Size> weights{children[0] + kind_.weight_of_none, children[1] + kind_.weight_of_none};
+      const Pair<Size> weights{children[0] + kind_.walk.weight_of_none,
+                               children[1] + kind_.walk.weight_of_none};
       here = children[walk.choose(weights, weights[0] + weights[1])];
     }
     measures.*kind_.depth = depth;

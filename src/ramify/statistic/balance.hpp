@@ -1,9 +1,11 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
+#include "ramify/statistic/exact_law.hpp"
 #include "ramify/tree/grammar.hpp"
 
 namespace ramify {
@@ -29,6 +31,15 @@ class Balance {
     }
     return best;
   }
+
+  /// P(B = k), B the larger of 1 + B of the smaller child and B of the larger; 1 + the maximum where the
+  /// sizes are equal.
+  static constexpr std::array<JoinTerm, 2> unequal{
+      {{LawForm::at, -1, LawForm::below, 1}, {LawForm::below, -1, LawForm::at, 0}}};
+  static constexpr std::array<JoinTerm, 2> equal{
+      {{LawForm::at, -1, LawForm::below, 0}, {LawForm::below, -1, LawForm::at, -1}}};
+  static constexpr JoinRule rule{unequal, equal};
+  static constexpr BoundedJoin recurrence{&rule};
 };
 
 /// The same of a tree that may have one-child nodes or three children: sizes are numbers of external nodes,

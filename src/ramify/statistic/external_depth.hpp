@@ -39,6 +39,8 @@ class ExternalDepthOf {
     return joined(below, leaves, total);
   }
 
+  static constexpr WeightedWalk recurrence{1};
+
  private:
   template <class Values, class Leaves>
   Value joined(const Values& below, const Leaves& leaves, Size total) {

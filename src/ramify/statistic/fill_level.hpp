@@ -1,7 +1,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
+
+#include "ramify/statistic/exact_law.hpp"
 
 namespace ramify {
 
@@ -20,6 +23,12 @@ class FillLevel {
     if (levels.size() < 2) return 0;
     return static_cast<Value>(1 + *std::min_element(levels.begin(), levels.end()));
   }
+
+  /// P(F = k): 1 + the minimum over the children.
+  static constexpr std::array<JoinTerm, 2> ways{
+      {{LawForm::at, -1, LawForm::from, -1}, {LawForm::from, 0, LawForm::at, -1}}};
+  static constexpr JoinRule rule{ways, ways};
+  static constexpr BoundedJoin recurrence{&rule};
 };
 
 }  // namespace ramify

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "ramify/statistic/exact_law.hpp"
+
 namespace ramify {
 
 /// Height (B4): nodes on the longest path from the root to an external node, both counted; a single external
@@ -17,6 +19,8 @@ class Height {
   Value join(const Label&, const Labels&, const Values& heights) const {
     return 1 + *std::max_element(heights.begin(), heights.end());
   }
+
+  static constexpr LongestPath recurrence{};
 };
 
 }  // namespace ramify

@@ -6,6 +6,7 @@
 
 #include "ramify/random/stream.hpp"
 #include "ramify/random/uniform.hpp"
+#include "ramify/statistic/exact_law.hpp"
 #include "ramify/tree/grammar.hpp"
 
 namespace ramify {
@@ -52,6 +53,8 @@ class LastNodeDepthOf {
   Value join(const Label&, const Labels& sizes, const Values& depths) {
     return 1 + depths[choose(sizes)];
   }
+
+  static constexpr WeightedWalk recurrence{0};
 
  private:
   /// A child with probability proportional to its size; an index of value 0 where all are external.

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <numeric>
+#include <span>
 
 #include "ramify/tree/grammar.hpp"
 
@@ -31,6 +34,15 @@ class ShapeIndices {
       colless_ += left > right ? left - right : right - left;
     }
     return leaves;
+  }
+
+  /// What a node of a binary tree adds to each.
+  static double path_length_toll(std::span<const Size> leaves) { return sackin_toll(leaves) - 2; }
+  static double sackin_toll(std::span<const Size> leaves) {
+    return static_cast<double>(std::accumulate(leaves.begin(), leaves.end(), Size{0}));
+  }
+  static double colless_toll(std::span<const Size> leaves) {
+    return static_cast<double>(std::max(leaves[0], leaves[1]) - std::min(leaves[0], leaves[1]));
   }
 
   std::uint64_t path_length() const { return path_length_; }

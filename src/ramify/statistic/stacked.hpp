@@ -18,6 +18,7 @@ template <class J>
 class Stacked {
  public:
   struct Value {};
+  using Folds = J;
   using Pack = typename J::Value;
 
   explicit Stacked(J fold) : fold_(std::move(fold)) {}

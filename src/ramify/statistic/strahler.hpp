@@ -1,9 +1,11 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
+#include "ramify/statistic/exact_law.hpp"
 #include "ramify/tree/grammar.hpp"
 
 namespace ramify {
@@ -48,6 +50,13 @@ class Strahler {
   Value join(const Label&, const Labels&, const Values& orders) const {
     return join_orders(orders).order;
   }
+
+  /// P(S = k): one child has order k and the other less, or both have k-1.
+  static constexpr std::array<JoinTerm, 3> ways{{{LawForm::at, 0, LawForm::below, 0},
+                                                 {LawForm::below, 0, LawForm::at, 0},
+                                                 {LawForm::at, -1, LawForm::at, -1}}};
+  static constexpr JoinRule rule{ways, ways};
+  static constexpr BoundedJoin recurrence{&rule};
 };
 
 }  // namespace ramify

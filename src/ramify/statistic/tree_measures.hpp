@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "ramify/statistic/bi_orders.hpp"
 #include "ramify/statistic/horton_strahler.hpp"
+#include "ramify/statistic/index_folds.hpp"
 
 namespace ramify {
 
@@ -24,6 +26,8 @@ struct TreeMeasures {
   std::uint64_t colless = 0;
   std::uint64_t width = 0;
   BiOrderCounts bi_orders;
+  std::vector<double> toll_sums;  ///< of all_tolls()
+  IndexFolds::Values indices{};
 };
 
 }  // namespace ramify

@@ -1,6 +1,7 @@
 #include "ramify/tabulate/law_request.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,6 +9,7 @@
 #include "ramify/core/contract.hpp"
 #include "ramify/core/error.hpp"
 #include "ramify/core/nearest_name.hpp"
+#include "ramify/statistic/registry.hpp"
 
 namespace ramify {
 namespace {
@@ -21,17 +23,40 @@ std::string in_hours(double seconds) {
   return hours < 100 ? fmt::format("{:.2g} h", hours) : fmt::format("{:.2g} days", hours / 24);
 }
 
-}  // namespace
+constexpr std::string_view orders = "orders";
 
-const std::vector<std::string>& law_statistics() {
-  static const std::vector<std::string> all{"strahler",   "height",  "depth", "external_depth",
-                                            "fill_level", "balance", "orders"};
-  return all;
+std::vector<std::string> subjects(Known known) {
+  std::vector<std::string> names;
+  for (const StatisticInfo& info : statistics())
+    if (known_of(info.law.recurrence) == known) names.emplace_back(info.name);
+  return names;
 }
 
-const std::vector<std::string>& moment_statistics() {
-  static const std::vector<std::string> all{"path_length", "sackin", "colless"};
-  return all;
+}  // namespace
+
+std::vector<std::string> law_subjects() {
+  auto names = subjects(Known::law);
+  names.emplace_back(orders);
+  return names;
+}
+
+std::vector<std::string> moment_subjects() {
+  return subjects(Known::moments);
+}
+
+LawSubject LawSubject::parse(std::string_view name) {
+  if (name == orders) return {{&statistic::nodes, &statistic::streams}};
+  for (const StatisticInfo& info : ramify::statistics())
+    if (info.name == name && known_of(info.law.recurrence) >= Known::moments) return {{&info}};
+  auto known = law_subjects();
+  std::ranges::copy(moment_subjects(), std::back_inserter(known));
+  throw Error(
+      fmt::format("no exact law of '{}'", name), fmt::format("known are those of {}", fmt::join(known, ", ")),
+      did_you_mean(name, known) + "name one of them; orders has the nodes and streams of every order");
+}
+
+std::string_view LawSubject::name() const {
+  return is_orders() ? orders : statistics.front()->name;
 }
 
 Size LawRequest::largest_size() const {
@@ -39,42 +64,28 @@ Size LawRequest::largest_size() const {
   return *std::max_element(sizes.begin(), sizes.end());
 }
 
-LawKind LawRequest::kind() const {
-  const auto is_in = [this](const auto& names) {
-    return std::find(names.begin(), names.end(), statistic) != names.end();
-  };
-  const bool is_sum = is_in(moment_statistics());
-  if (!is_sum && !is_in(law_statistics())) {
-    auto known = law_statistics();
-    known.insert(known.end(), moment_statistics().begin(), moment_statistics().end());
-    throw Error(
-        fmt::format("no exact law of '{}'", statistic),
-        fmt::format("known are those of {}", fmt::join(known, ", ")),
-        did_you_mean(statistic, known) + "name one of them; orders has the nodes and streams of every order");
-  }
-  if (statistic == "orders")
-    return quantity == LawQuantity::law ? LawKind::order_means : LawKind::order_moments;
-  if (is_sum && quantity == LawQuantity::law)
-    throw Error(fmt::format("law of {}", statistic), "only its mean and variance are computed",
+LawWork LawRequest::work() const {
+  const Recurrence& recurrence = subject.statistics.front()->law.recurrence;
+  if (subject.is_orders()) return {recurrence, quantity == LawQuantity::law};
+  if (quantity == LawQuantity::law && known_of(recurrence) == Known::moments)
+    throw Error(fmt::format("law of {}", subject.name()), "only its mean and variance are computed",
                 "add --moments");
   if (quantity == LawQuantity::covariances)
-    throw Error(fmt::format("covariances of {}", statistic), "it is one number",
+    throw Error(fmt::format("covariances of {}", subject.name()), "it is one number",
                 "take --moments, or --statistic orders");
-  if (is_sum) return LawKind::node_sum;
-  if (statistic == "height") return LawKind::height;
-  return statistic == "depth" || statistic == "external_depth" ? LawKind::depth : LawKind::bounded;
+  return {recurrence};
 }
 
 void require_computable(const LawRequest& request, const LawCost& limit) {
-  const LawKind kind = request.kind();
+  const LawWork work = request.work();
   if (!request.model.is_split())
     throw Error(fmt::format("laws of {}", request.model.text()), "exact laws are those of split trees",
                 "sample it: ramify sample --model ...");
   for (const Size n : request.sizes) request.model.require_size(n);
-  const LawCost cost = law_cost(request.model, kind, request.largest_size());
+  const LawCost cost = law_cost(request.model, work, request.largest_size());
   const std::string what =
-      fmt::format("{} of {} to n = {}", request.statistic, request.model.text(), request.largest_size());
-  const auto affordable = [&] { return largest_affordable(request.model, kind, limit); };
+      fmt::format("{} of {} to n = {}", request.subject.name(), request.model.text(), request.largest_size());
+  const auto affordable = [&] { return largest_affordable(request.model, work, limit); };
   if (cost.bytes > limit.bytes)
     throw Error(fmt::format("{} needs about {} of memory", what, in_bytes(cost.bytes)),
                 fmt::format("this machine has {}", in_bytes(limit.bytes)),

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ramify/law/law_cost.hpp"
 #include "ramify/model/registry.hpp"
+#include "ramify/statistic/statistic_info.hpp"
 
 namespace ramify {
 
@@ -12,25 +14,36 @@ namespace ramify {
 /// every count, the covariances of every two.
 enum class LawQuantity { law, moments, covariances };
 
+/// What a law is of: one statistic, or the counts of all orders, of nodes and of streams, at once.
+struct LawSubject {
+  std::vector<const StatisticInfo*> statistics;
+
+  /// "height", or "orders". Throws Error for what has no law, with the names of all that have one.
+  static LawSubject parse(std::string_view name);
+
+  bool is_orders() const { return statistics.size() > 1; }
+  std::string_view name() const;
+};
+
 /// What `ramify law` is asked for.
 struct LawRequest {
   Model model;
-  std::string statistic;  ///< of law_statistics() or moment_statistics()
+  LawSubject subject;
   LawQuantity quantity;
   std::vector<Size> sizes;  ///< one or more
 
   Size largest_size() const;
 
-  /// Throws Error for a statistic that has no law, with the names of those that have, and for covariances of
-  /// anything but orders.
-  LawKind kind() const;
+  /// Throws Error for the law of a sum, of which only moments are computed, and for covariances of anything
+  /// but orders.
+  LawWork work() const;
 };
 
-/// Those with a law: strahler, height, depth, external_depth, fill_level, balance; and orders.
-const std::vector<std::string>& law_statistics();
+/// The subjects of whole laws: strahler, height and so on; and orders.
+std::vector<std::string> law_subjects();
 
-/// Those of which the mean and the variance alone are computed: path_length, sackin, colless.
-const std::vector<std::string>& moment_statistics();
+/// Those of which the mean and the variance alone are computed: path_length, cherries.
+std::vector<std::string> moment_subjects();
 
 /// A law that takes longer is refused without --yes.
 inline constexpr double long_law_seconds = 3600;

@@ -10,6 +10,7 @@ namespace ramify {
 ///
 ///   law              model,n,statistic,value,probability; values with probability > 0 only
 ///   moments          model,n,statistic,mean,variance
+///   nodes, streams: moments  of every order, statistics nodes_0, ...
 ///   orders: law      model,n,leaf_order,order,mean_nodes,mean_streams; orders 0..K, K = floor(log2(n+1))
 ///           moments  as above, statistics nodes_0..nodes_K, streams_0..streams_K
 ///           covariances  model,n,leaf_order,first,second,covariance; every two of them, also of one with

@@ -1,11 +1,7 @@
 #include "ramify/tabulate/list_tables.hpp"
 
 #include <algorithm>
-#include <array>
-#include <string>
-#include <vector>
 
-#include "ramify/law/exact_means.hpp"
 #include "ramify/model/preset.hpp"
 #include "ramify/model/registry.hpp"
 #include "ramify/sample/sampling_method.hpp"
@@ -14,40 +10,33 @@
 namespace ramify {
 namespace {
 
-/// What is known without sampling of a statistic of a split model: they are all alike, so one is asked.
-std::string known_of(const StatisticInfo& info) {
-  static const ExactMeans exact(Model::parse("bst"), 7);
-  const std::array<std::string, 1> alone{std::string(info.name)};
-  const std::string column = StatisticSet::parse(alone).columns(1).back().name;
-  if (exact.law(column, 7)) return "exact law";
-  const auto moments = exact.moments(column, 7);
-  if (!moments) return "";
-  return moments->variance == 0 ? "known" : "exact moments";
+std::string known_without_sampling(const StatisticInfo& info) {
+  switch (known_of(info.law.recurrence)) {
+    case Known::nothing:
+      return "";
+    case Known::value:
+      return "known";
+    case Known::moments:
+      return "exact moments";
+    case Known::law:
+      break;
+  }
+  return "exact law";
 }
 
 /// How trees of split models are sampled for a statistic alone.
 std::string sampling_of(const StatisticInfo& info) {
-  const std::array<std::string, 1> alone{std::string(info.name)};
-  switch (sampling_method(StatisticSet::parse(alone), true).pass) {
-    case Pass::lean:
-    case Pass::full:
-      return "grafted with others";
-    case Pass::all:
-      return "streamed";
-    case Pass::depth:
-    case Pass::external_depth:
-      return "walked, grafted with others";
-    default:
-      return "grafted";
-  }
+  const FoldSet pass = sampling_method(StatisticSet({&info}), true).pass;
+  if (is_streamed(pass)) return "streamed";
+  if (is_walk(pass)) return "walked, grafted with others";
+  return pass == orders_and_height || pass == orders_and_paths ? "grafted with others" : "grafted";
 }
 
-/// What is known of a statistic of a model without sampling, and how it is sampled.
 std::string coverage_of(const StatisticInfo& statistic, const ModelInfo& model) {
   if (statistic.needs_binary && !model.is_binary) return "not defined";
   if (!model.is_split) return "streamed";
-  std::string known = known_of(statistic);
-  if (known == "known") return known;
+  const std::string known = known_without_sampling(statistic);
+  if (known_of(statistic.law.recurrence) == Known::value) return known;
   const std::string sampled = sampling_of(statistic) == "streamed" ? "streamed" : "grafted";
   return known.empty() ? sampled : known + " + " + sampled;
 }
@@ -64,9 +53,9 @@ Table model_table() {
 
 Table statistic_table() {
   Table table({"name", "columns", "convention", "description", "known", "sampled", "source"});
-  for (const auto& info : statistics())
-    table.add(Row().texts({info.name, info.columns(), info.convention, info.description, known_of(info),
-                           sampling_of(info), info.source}));
+  for (const StatisticInfo& info : statistics())
+    table.add(Row().texts({info.name, info.columns(), info.convention, info.description,
+                           known_without_sampling(info), sampling_of(info), info.source}));
   return table;
 }
 
@@ -75,7 +64,7 @@ Table coverage_table() {
   std::vector<std::string> header{"statistic"};
   for (const auto& model : models()) {
     std::vector<std::string> column;
-    for (const auto& statistic : statistics()) column.push_back(coverage_of(statistic, model));
+    for (const StatisticInfo& statistic : statistics()) column.push_back(coverage_of(statistic, model));
     const auto same = std::find(columns.begin(), columns.end(), column);
     if (same == columns.end()) {
       columns.push_back(std::move(column));
@@ -87,7 +76,7 @@ Table coverage_table() {
   Table table(std::move(header));
   for (std::size_t i = 0; i < statistics().size(); ++i) {
     Row row;
-    row.text(statistics()[i].name);
+    row.text(statistics()[i].get().name);
     for (const auto& column : columns) row.text(column[i]);
     table.add(std::move(row));
   }

@@ -18,7 +18,7 @@ namespace {
 /// Of a block: so that a few trees keep all threads busy.
 constexpr std::uint64_t most_trees = 16;
 
-Row row_of(const TreeBatch& batch, std::uint64_t replicate, const std::vector<StatisticSet::Column>& columns,
+Row row_of(const TreeBatch& batch, std::uint64_t replicate, const std::vector<StatisticColumn>& columns,
            const std::vector<StatisticValue>& values) {
   Row row;
   row.text(batch.model.text()).whole(batch.n).whole(batch.seed).whole(replicate);
@@ -46,7 +46,7 @@ Table TreeBatch::table(const StatisticSet& statistics, std::uint64_t first, std:
     });
   });
   std::vector<std::string> header{"model", "n", "seed", "replicate"};
-  for (const auto& column : columns) header.push_back(column.name);
+  for (const auto& column : columns) header.push_back(column.name());
   Table table(std::move(header));
   for (Row& row : rows) table.add(std::move(row));
   return table;

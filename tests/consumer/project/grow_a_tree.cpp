@@ -20,7 +20,8 @@ int main() {
 
   const ramify::Cancellation never;
   ramify::TreeMeasures grown;
-  ramify::make_tree_sampler({model, ramify::grow_lean, ramify::max_size, &never})->sample(n, key, 0, grown);
+  ramify::make_tree_sampler({model, ramify::whole_trees(ramify::orders_and_height), ramify::max_size, &never})
+      ->sample(n, key, 0, grown);
 
   ramify::Stream stream(key, 0);
   const ramify::SplitTree<ramify::FixedSplit> grammar(ramify::FixedSplit(1 / 4.35));
