@@ -63,7 +63,7 @@ Verdict finite_bound(const std::vector<SizedMean>& means) {
           "sampled mean minus log_3 n at the size where it is clearest; one finite n suffices to refute"};
 }
 
-std::vector<Verdict> judge_order(const std::vector<ModelCells>& models) {
+std::vector<Verdict> judge_bst_order(const std::vector<ModelCells>& models) {
   const Verdict growth = judge_growth(tight(), models.front());
   return {upper_bound(growth), growth, finite_bound(means_of(models.front(), statistic::strahler))};
 }
@@ -79,7 +79,7 @@ PlotSeries residual(const std::string& label, double constant, const std::vector
   return series;
 }
 
-std::vector<NamedPlot> plot_order(const std::vector<ModelCells>& models) {
+std::vector<NamedPlot> plot_bst_order(const std::vector<ModelCells>& models) {
   const ModelCells& bst = models.front();
   const auto means = means_of(bst, statistic::strahler);
   Plot plot{"Horton-Strahler number of random binary search trees",
@@ -106,8 +106,8 @@ Claim bst_order_claim() {
           "S_n <= (1+eps) log_3 n, believed tight: Horton-Strahler number of random BSTs",
           "K96 Theorem C.3, 3.2.2, 5.1.6",
           {&statistic::strahler, growth_sizes, "random binary search trees, bst", is_of<Bst>},
-          judge_order,
-          plot_order};
+          judge_bst_order,
+          plot_bst_order};
 }
 
 }  // namespace ramify

@@ -14,12 +14,12 @@
 namespace ramify {
 namespace {
 
-constexpr const char* convention = "order of the root, leaf order 0";
+constexpr const char* counted = "order of the root, leaf order 0";
 
 GrowthClaim mean_growth(const Model& catalan) {
-  return {"C22.1",    "K96 B.1.2",         "E S_n ~ log_4 n, catalan",
-          convention, statistic::strahler, strahler_constant(catalan).value().value,
-          0.02,       Approach::settles,   ""};
+  return {"C22.1", "K96 B.1.2",         "E S_n ~ log_4 n, catalan",
+          counted, statistic::strahler, strahler_constant(catalan).value().value,
+          0.02,    Approach::settles,   ""};
 }
 
 /// Bounded variance: its slope on log n is 0. Standard error of a variance from its own spread: v
@@ -41,7 +41,7 @@ Verdict bounded_variance(const ModelCells& catalan) {
   return {"C22.2",
           "K96 B.1.2",
           "Var S_n = O(1), catalan: slope of the variance on log n is 0",
-          convention,
+          counted,
           0,
           slope.value,
           slope.standard_error,
@@ -53,12 +53,12 @@ Verdict bounded_variance(const ModelCells& catalan) {
               std::to_string(largest) + ", fitted rise over the grid " + std::to_string(fitted_rise)};
 }
 
-std::vector<Verdict> judge_order(const std::vector<ModelCells>& models) {
+std::vector<Verdict> judge_catalan_order(const std::vector<ModelCells>& models) {
   const ModelCells& catalan = models.front();
   return {judge_growth(mean_growth(catalan.model), catalan), bounded_variance(catalan)};
 }
 
-std::vector<NamedPlot> plot_order(const std::vector<ModelCells>& models) {
+std::vector<NamedPlot> plot_catalan_order(const std::vector<ModelCells>& models) {
   const ModelCells& catalan = models.front();
   return {growth_plot(
       {"C22_catalan_order", "Horton-Strahler number of equiprobable trees", "mean S_n (leaf order 0)"},
@@ -72,8 +72,8 @@ Claim catalan_order_claim() {
           "E S_n ~ log_4 n, Var S_n = O(1): Horton-Strahler number of equiprobable binary trees",
           "K96 B.1.2; Flajolet, Raoult, Vuillemin 1979",
           {&statistic::strahler, growth_sizes, "equiprobable binary trees, catalan", is_of<Catalan>},
-          judge_order,
-          plot_order};
+          judge_catalan_order,
+          plot_catalan_order};
 }
 
 }  // namespace ramify

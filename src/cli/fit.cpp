@@ -11,12 +11,12 @@
 namespace ramify::cli {
 namespace {
 
-struct Options {
+struct FitArguments {
   std::vector<std::string> files;
   std::string model = "patricia", observable = "ratio", n, seed = "1996", threads, format = "table", output;
 };
 
-FitOptions fit_options(const Options& options) {
+FitOptions fit_options(const FitArguments& options) {
   FitOptions fit;
   fit.model = &require_fittable(options.model);
   fit.seed = read_count("--seed", options.seed);
@@ -25,7 +25,7 @@ FitOptions fit_options(const Options& options) {
   return fit;
 }
 
-void require_known(const Options& options) {
+void require_known(const FitArguments& options) {
   if (options.observable != "ratio")
     throw Error(fmt::format("--observable {}", options.observable),
                 "only the bifurcation ratio is fitted so far", "take ratio");
@@ -34,7 +34,7 @@ void require_known(const Options& options) {
                 "take table or csv");
 }
 
-ExitCode fit(const Options& options, const Cancellation& cancellation) {
+ExitCode fit(const FitArguments& options, const Cancellation& cancellation) {
   require_known(options);
   std::vector<RatioDatum> data;
   for (const auto& file : options.files)
@@ -55,7 +55,7 @@ ExitCode fit(const Options& options, const Cancellation& cancellation) {
 }  // namespace
 
 void add_fit(Program& program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<FitArguments>();
   Verb verb = program.verb("fit", "Fit the split parameter of a model to measured bifurcation ratios");
   verb.option("data", options->files,
               "CSV: ratios (name,ratio,max_order,branches) or stream counts (order,count)", Need::required);

@@ -13,7 +13,7 @@
 namespace ramify::cli {
 namespace {
 
-struct Options {
+struct LawArguments {
   std::string model, n, statistic, output;
   bool moments = false, covariances = false, yes = false;
 
@@ -23,7 +23,7 @@ struct Options {
   }
 };
 
-ExitCode law(const Options& options, const Cancellation& cancellation) {
+ExitCode law(const LawArguments& options, const Cancellation& cancellation) {
   const LawRequest request{Model::parse(options.model), LawSubject::parse(options.statistic),
                            options.quantity(), read_sizes("--n", options.n)};
   const double seconds = options.yes ? std::numeric_limits<double>::infinity() : long_law_seconds;
@@ -35,7 +35,7 @@ ExitCode law(const Options& options, const Cancellation& cancellation) {
 }  // namespace
 
 void add_law(Program& program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<LawArguments>();
   Verb verb = program.verb(
       "law", "Exact law of a statistic at finite n, computed without sampling: probabilities right to 1e-15");
   verb.option("--model", options->model, "model, such as bst or \"beta(10,80)\"; see: ramify list models",

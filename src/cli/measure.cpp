@@ -10,7 +10,7 @@
 namespace ramify::cli {
 namespace {
 
-struct Options {
+struct MeasureArguments {
   std::vector<std::string> files;
   std::string format = "auto", leaf_order = "1", root, scale = "0", output = "orders", out;
   bool keep_unary = false;
@@ -24,7 +24,7 @@ unsigned small_number(const std::string& option, const std::string& text, std::u
   return static_cast<unsigned>(value);
 }
 
-MeasureRequest request_of(const Options& options) {
+MeasureRequest request_of(const MeasureArguments& options) {
   MeasureRequest request;
   request.files = options.files;
   request.output = parse_measure_output(options.output);
@@ -35,7 +35,7 @@ MeasureRequest request_of(const Options& options) {
   return request;
 }
 
-ExitCode measure(const Options& options, const Cancellation& cancellation) {
+ExitCode measure(const MeasureArguments& options, const Cancellation& cancellation) {
   const auto warn = [](const std::string& warning) { fmt::print(stderr, "ramify: warning: {}\n", warning); };
   emit(measure_files(request_of(options), cancellation, warn), options.out);
   return ExitCode::done;
@@ -44,7 +44,7 @@ ExitCode measure(const Options& options, const Cancellation& cancellation) {
 }  // namespace
 
 void add_measure(Program& program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<MeasureArguments>();
   Verb verb = program.verb("measure", "Orders, ratios and every statistic of trees read from files");
   verb.option("FILE", options->files, "files of trees, or of counts of streams; - is standard input",
               Need::required);

@@ -15,13 +15,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct ReproduceArguments {
   std::string scale = "quick", claim, configs;
   RunFlags flags;
 };
 
 /// configs/ of --configs, of the working directory, or of the place ramify was built or installed from.
-fs::path config_folder(const Options& options) {
+fs::path config_folder(const ReproduceArguments& options) {
   if (!options.configs.empty()) return fs::path(options.configs) / options.scale;
   for (const char* base : {"configs", RAMIFY_SOURCE_CONFIGS, RAMIFY_INSTALLED_CONFIGS})
     if (fs::is_directory(fs::path(base) / options.scale)) return fs::path(base) / options.scale;
@@ -29,7 +29,7 @@ fs::path config_folder(const Options& options) {
               "name the folder with --configs");
 }
 
-std::vector<RunConfig> configs_of(const Options& options) {
+std::vector<RunConfig> configs_of(const ReproduceArguments& options) {
   if (options.scale != "quick" && options.scale != "full")
     throw Error(fmt::format("--scale {}", options.scale), "there is no such scale",
                 "take quick (minutes) or full");
@@ -44,7 +44,7 @@ std::vector<RunConfig> configs_of(const Options& options) {
 
 /// Says which verdicts differ from the committed ones, results/reference/<scale>/verdicts.csv beside the
 /// configs; with the configs' own seeds none should.
-ExitCode compare_with_reference(const Options& options, const std::vector<Verdict>& verdicts) {
+ExitCode compare_with_reference(const ReproduceArguments& options, const std::vector<Verdict>& verdicts) {
   const fs::path reference =
       config_folder(options) / "../../results/reference" / options.scale / "verdicts.csv";
   if (!options.flags.seed.empty() || !fs::exists(reference)) return ExitCode::done;
@@ -54,7 +54,7 @@ ExitCode compare_with_reference(const Options& options, const std::vector<Verdic
   return changed.empty() ? ExitCode::done : ExitCode::check_failed;
 }
 
-ExitCode reproduce(const Options& options, const Cancellation& cancellation) {
+ExitCode reproduce(const ReproduceArguments& options, const Cancellation& cancellation) {
   const auto configs = configs_of(options);
   if (options.flags.dry_run) {
     print_cost(configs, options.flags);
@@ -74,7 +74,7 @@ ExitCode reproduce(const Options& options, const Cancellation& cancellation) {
 }  // namespace
 
 void add_reproduce(Program& program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ReproduceArguments>();
   options->flags.out = "results/runs/reproduce";
   Verb verb = program.verb("reproduce", "Run every config of a scale and print the verdict on every claim");
   verb.option("--scale", options->scale, "quick (minutes) or full", Need::defaulted);

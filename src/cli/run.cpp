@@ -8,12 +8,12 @@
 namespace ramify::cli {
 namespace {
 
-struct Options {
+struct RunArguments {
   std::vector<std::string> configs;
   RunFlags flags;
 };
 
-ExitCode run(const Options& options, const Cancellation& cancellation) {
+ExitCode run(const RunArguments& options, const Cancellation& cancellation) {
   const auto configs =
       read_configs({options.configs.begin(), options.configs.end()}, options.flags.given_seed());
   if (options.flags.dry_run) {
@@ -31,7 +31,7 @@ ExitCode run(const Options& options, const Cancellation& cancellation) {
 }  // namespace
 
 void add_run(Program& program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RunArguments>();
   options->flags.out = "results/runs";
   Verb verb = program.verb("run", "Run configs: grow, measure, compare, write tables and plots");
   verb.option("config", options->configs, "TOML files (docs/config.md)", Need::required);

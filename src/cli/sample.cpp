@@ -20,7 +20,7 @@
 namespace ramify::cli {
 namespace {
 
-struct Options {
+struct SampleArguments {
   std::string preset, model, n, seed = "1996", replicates = "1", replicate, statistics = "strahler,height",
                                 format = "csv", threads, output;
   bool no_graft = false, yes = false;
@@ -31,7 +31,7 @@ struct Range {
   std::uint64_t first, last;
 };
 
-Range read_range(const Options& options) {
+Range read_range(const SampleArguments& options) {
   if (!options.replicate.empty()) {
     const std::uint64_t one = read_count("--replicate", options.replicate);
     return {one, one + 1};
@@ -47,7 +47,7 @@ struct SizedModel {
 };
 
 /// Of --preset, whose size --n may replace, or of --model and --n.
-SizedModel read_model(const Options& options) {
+SizedModel read_model(const SampleArguments& options) {
   if (options.preset.empty()) {
     if (options.model.empty() || options.n.empty())
       throw Error("neither --preset nor --model and --n", "sample must know what to grow",
@@ -72,7 +72,7 @@ TreeFormat tree_format(const std::string& name) {
                           fmt::join(names.begin() + 1, names.end(), ", ")));
 }
 
-ExitCode sample(const Options& options, const Cancellation& cancellation) {
+ExitCode sample(const SampleArguments& options, const Cancellation& cancellation) {
   const auto [model, n] = read_model(options);
   model.require_size(n);
   const Range range = read_range(options);
@@ -95,7 +95,7 @@ ExitCode sample(const Options& options, const Cancellation& cancellation) {
 }  // namespace
 
 void add_sample(Program& program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SampleArguments>();
   Verb verb = program.verb("sample", "Grow trees of one model and print their statistics, or the trees");
   verb.option("--model", options->model, "model, such as bst or \"beta(10,80)\"; see: ramify list models");
   verb.option("--n", options->n, "size: internal nodes, 0 to 2^62");

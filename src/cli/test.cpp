@@ -12,20 +12,21 @@
 namespace ramify::cli {
 namespace {
 
-struct Options {
+struct TestArguments {
   std::vector<std::string> files;
   std::string model, format = "auto", root, seed = "1996", replicates = "1999", threads, output;
 };
 
 /// The trees of a file, without one-child nodes where those of the model have none.
-std::vector<RecordedTree> trees_for(const Model& model, const Options& options, const std::string& file) {
+std::vector<RecordedTree> trees_for(const Model& model, const TestArguments& options,
+                                    const std::string& file) {
   auto trees = read_trees(read_tree_file(file), file, parse_tree_format(options.format), {options.root, 0});
   if (model.is_split())
     for (RecordedTree& tree : trees) tree = contract_unary(std::move(tree));
   return trees;
 }
 
-ExitCode test(const Options& options, const Cancellation& cancellation) {
+ExitCode test(const TestArguments& options, const Cancellation& cancellation) {
   const Model model = Model::parse(options.model);
   const Simulation simulation{read_count("--seed", options.seed),
                               read_count("--replicates", options.replicates), read_threads(options.threads)};
@@ -55,7 +56,7 @@ ExitCode test(const Options& options, const Cancellation& cancellation) {
 }  // namespace
 
 void add_test(Program& program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<TestArguments>();
   Verb verb =
       program.verb("test", "Is a tree like trees of a model? Its statistics beside theirs, with p-values");
   verb.option("TREE", options->files, "files of trees; - is standard input", Need::required);

@@ -10,7 +10,7 @@
 namespace ramify::cli {
 namespace {
 
-struct Options {
+struct TrieArguments {
   std::string p = "1/2", n, epsilon = "0.2", strings, seed = "1996", replicates = "1", output;
   bool nodes = false;
 };
@@ -21,7 +21,7 @@ double read_real(const char* name, const std::string& text) {
               "write a number or a fraction, such as 0.23 or 1/4.35");
 }
 
-ExitCode trie(const Options& options) {
+ExitCode trie(const TrieArguments& options) {
   TrieRequest request;
   if (!options.strings.empty()) request.strings = split_list(options.strings);
   if (request.strings.empty() == options.n.empty())
@@ -39,7 +39,7 @@ ExitCode trie(const Options& options) {
 }  // namespace
 
 void add_trie(Program& program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<TrieArguments>();
   Verb verb = program.verb(
       "trie", "Cardinalities of a trie's nodes, and the zones of the proof that bounds its balance number");
   verb.option("--p", options->p, "probability of bit 0, which is left", Need::defaulted);
