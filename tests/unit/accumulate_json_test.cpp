@@ -68,7 +68,8 @@ TEST(AccumulatorJson, SoDoesNothing) {
 
 TEST(AccumulatorJson, KeepsTheSignOfZeroAndTheOrderOfReals) {
   const json value = awkward_reals();
-  const auto& values = json::parse(value.dump()).get<RealSummary>().values();
+  const auto arrived = json::parse(value.dump()).get<RealSummary>();
+  const auto& values = arrived.values();
   ASSERT_EQ(values.size(), 9u);  // a NaN is no value
   EXPECT_TRUE(std::signbit(values[1]));
   EXPECT_EQ(values[7], infinity);
