@@ -27,8 +27,7 @@ ModelCells line_of(const std::string& model, const std::string& column, double s
                    double variance = 0.16) {
   ModelCells line{Model::parse(model), {}};
   for (double n = 300; n < 1e6; n *= 3.0438278618) {
-    ColumnSummary summary;
-    summary.name = column;
+    ColumnSummary summary{test::column(column)};
     summary.mean = slope * std::log(n) + 0.2;
     summary.variance = variance;
     summary.standard_error = 0.002;

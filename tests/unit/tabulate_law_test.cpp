@@ -36,12 +36,7 @@ Size suggested(const std::string& message) {
 }
 
 std::string subject_refusal(const char* subject) {
-  try {
-    LawSubject::parse(subject);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of([&] { LawSubject::parse(subject); });
 }
 
 TEST(LawSubject, WithoutALawNamesThoseThatHaveOne) {
