@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <string>
@@ -6,7 +7,6 @@
 
 #include "support/growing.hpp"
 #include "support/shape.hpp"
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "ramify/sample/tree_sampler.hpp"
@@ -120,7 +120,7 @@ TEST(FixedSplitTree, ObeysFact32) {
   for (const double x : {0.5, 0.49, 0.4, 1.0 / 3, 0.3, 0.25, 1 / 4.35, 0.2, 0.125, 0.1, 0.05, 0.01}) {
     const FixedSplit law(x);
     const auto sampler = make_tree_sampler(
-        {Model::parse(fmt::format("split({})", x)), whole_trees(orders_and_height), max_size, &never});
+        {Model::make(FixedSplit::info(), std::array{x}), whole_trees(orders_and_height), max_size, &never});
     std::vector<std::size_t> order{0};
     for (Size n = 1; n <= 5000; ++n) {
       const std::size_t left = order[law.left(n)], right = order[n - 1 - law.left(n)];

@@ -141,7 +141,7 @@ std::vector<ModelCase> aldous_models() {
 std::vector<ModelCase> ford_models() {
   return {
       {"ford(0)", uniform_law, {{"alpha = 0.05", ford(0.05)}}, {{"n leaves", short_uniform_law}}},
-      {"ford(0.01)", ford(0.01), {{"alpha = 0.05", ford(0.05)}, {"bst", uniform_law}}, {}},
+      {"ford(0.01)", ford(0.01), {{"alpha = 0.05", ford(0.05)}}, {}},
       {"ford(0.3)",
        ford(0.3),
        {{"alpha = 0.35", ford(0.35)}, {"the first term alone", aldous(-1.3)}},

@@ -84,6 +84,13 @@ std::vector<Rational> read_fractions(const ModelInfo& info, const std::vector<st
   return fractions;
 }
 
+/// The shortest text that reads back as the same number.
+std::string text_of(double value, const Rational& exact) {
+  const std::string decimal = format_exact(value);
+  if (Rational::parse(decimal) == exact) return decimal;
+  return fmt::format("{}/{}", exact.numerator, exact.denominator);
+}
+
 AnyModel model_of(const ModelInfo& info, std::span<const double> parameters,
                   std::span<const Rational> exact) {
   if (needs_fractions(info)) return std::get<FromFractions>(info.make)(parameters, exact);
@@ -131,8 +138,8 @@ Model Model::make(const ModelInfo& info, std::span<const double> parameters) {
   std::vector<std::string> arguments;
   std::vector<Rational> exact;
   for (const double value : parameters) {
-    arguments.push_back(format_exact(value));
     if (needs_fractions(info)) exact.push_back(Rational::of(value));
+    arguments.push_back(needs_fractions(info) ? text_of(value, exact.back()) : format_exact(value));
   }
   return Model(info, written(info, arguments), {parameters.begin(), parameters.end()},
                model_of(info, parameters, exact));
