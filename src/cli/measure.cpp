@@ -59,7 +59,8 @@ void add_measure(Program& program) {
   verb.flag("--keep-unary", options->keep_unary,
             "count one-child nodes, as in tries, instead of contracting them");
   verb.option("--output", options->output,
-              "orders, summary (a row a tree), levels (a row a depth), nodes (a row a node) or json",
+              "orders, summary (a row a tree), norms (beside Yule and uniform trees), levels (a row a "
+              "depth), nodes (a row a node) or json",
               Need::defaulted);
   verb.option("-o,--out", options->out, "write the table to this file, in one step");
   verb.example("Example: ramify measure data/examples/sapling.newick");

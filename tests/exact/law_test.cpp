@@ -183,8 +183,8 @@ void expect_same_moments(const char* one, const char* other) {
        {"strahler", "height", "depth", "fill_level", "balance", "nodes_2", "streams_3"}) {
     const auto law = *first.moments(test::column(column), n),
                truth = *second.moments(test::column(column), n);
-    EXPECT_NEAR(law.mean, truth.mean, 1e-12 * truth.mean) << one << ' ' << column;
-    EXPECT_NEAR(law.variance, truth.variance, 1e-10 * truth.variance) << one << ' ' << column;
+    EXPECT_NEAR(law.mean, truth.mean, 1e-12 * (1 + truth.mean)) << one << ' ' << column;
+    EXPECT_NEAR(law.variance, truth.variance, 1e-10 * (0.01 + truth.variance)) << one << ' ' << column;
   }
 }
 
@@ -380,13 +380,16 @@ TEST(NodeSumLaw, IsThatOfAllTrees) {
   for (const char* text : {"bst", "catalan", "patricia(0.23)", "beta(2,5)"}) {
     const Model model = Model::parse(text);
     const ExactMeans exact(model, 8);
-    for (const auto& [column, value_of] : additive) {
-      for (Size n = 1; n <= 8; ++n) {
+    for (Size n = 1; n <= 8; ++n) {
+      const auto shapes = test::all_shapes(n);
+      Sums weights;
+      for (const test::Shape& shape : shapes) weights.push_back(probability(shape, pmf_of(model)));
+      for (const auto& [column, value_of] : additive) {
         Real mean = 0, square = 0;
-        for (const test::Shape& shape : test::all_shapes(n)) {
-          const Real p = probability(shape, pmf_of(model)), value = value_of(shape);
-          mean += p * value;
-          square += p * value * value;
+        for (std::size_t i = 0; i < shapes.size(); ++i) {
+          const Real value = value_of(shapes[i]);
+          mean += weights[i] * value;
+          square += weights[i] * value * value;
         }
         const ramify::Moments law = *exact.moments(test::column(column), n);
         expect_near(law.mean, mean, 1e-12, column);

@@ -12,6 +12,7 @@
 #include "ramify/io/csv_writer.hpp"
 #include "ramify/measure/measure_json.hpp"
 #include "ramify/measure/measure_tables.hpp"
+#include "ramify/measure/norms_table.hpp"
 #include "ramify/tree/contract_unary.hpp"
 
 namespace ramify {
@@ -19,8 +20,9 @@ namespace {
 
 using Output = MeasureRequest::Output;
 
-constexpr std::array<std::pair<const char*, Output>, 5> outputs{{{"orders", Output::orders},
+constexpr std::array<std::pair<const char*, Output>, 6> outputs{{{"orders", Output::orders},
                                                                  {"summary", Output::summary},
+                                                                 {"norms", Output::norms},
                                                                  {"levels", Output::levels},
                                                                  {"nodes", Output::nodes},
                                                                  {"json", Output::json}}};
@@ -51,6 +53,7 @@ class Measured {
       case Output::nodes:
         return add_nodes(nodes_, tree, request_.leaf_order);
       case Output::summary:
+      case Output::norms:
       case Output::json:
         all_.push_back(measure_all(tree));
     }
@@ -62,6 +65,8 @@ class Measured {
         return write_csv(orders_table(orders_, request_.leaf_order));
       case Output::summary:
         return write_csv(summary_table(all_, request_.leaf_order));
+      case Output::norms:
+        return write_csv(norms_table(all_));
       case Output::json:
         return measurement_json(all_, request_.leaf_order);
       case Output::levels:

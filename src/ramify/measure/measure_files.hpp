@@ -12,7 +12,7 @@ namespace ramify {
 
 /// What `ramify measure` is asked for.
 struct MeasureRequest {
-  enum class Output { orders, summary, levels, nodes, json };
+  enum class Output { orders, summary, norms, levels, nodes, json };
 
   std::vector<std::string> files;    ///< of trees, or of counts of streams; "-" is standard input
   std::optional<TreeFormat> format;  ///< found by content where none is given
