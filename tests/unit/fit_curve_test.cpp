@@ -16,7 +16,7 @@
 namespace ramify {
 namespace {
 
-constexpr auto streams = RatioEstimator::streams_mean_ratio;
+constexpr auto stream_ratio = RatioEstimator::streams_mean_ratio;
 
 ResponsePoint point_at(double p, double mean, double error, double half_width = 0) {
   ResponsePoint point{p, 1000, {}};
@@ -34,7 +34,7 @@ std::vector<ResponsePoint> sampled(const std::function<double(double)>& mean, do
 
 TEST(FitCrossings, FindsEveryCrossingOfACurve) {
   const auto scan =
-      scan_crossings(sampled([](double p) { return 3 + std::sin(20 * p); }, 0.001), streams, 3.3);
+      scan_crossings(sampled([](double p) { return 3 + std::sin(20 * p); }, 0.001), stream_ratio, 3.3);
   // sin(20p) = 0.3 at 0.01523, 0.14184, 0.32939, 0.45600; the first lies below the grid.
   ASSERT_EQ(scan.brackets.size(), 3u);
   EXPECT_NEAR(scan.brackets[0].guess, 0.14184, 0.003);
@@ -50,8 +50,8 @@ TEST(FitCrossings, TakesNoiseForNoCrossing) {
   std::vector<ResponsePoint> points = sampled([](double) { return 4; }, 0.01);
   points[5] = point_at(points[5].p, 3.08, 0.05);
   points[9] = point_at(points[9].p, 2.90, 0.05);
-  EXPECT_EQ(scan_crossings(points, streams, 3.1).brackets.size(), 2u);
-  const auto scan = scan_crossings(std::vector(points.begin(), points.begin() + 8), streams, 3.1);
+  EXPECT_EQ(scan_crossings(points, stream_ratio, 3.1).brackets.size(), 2u);
+  const auto scan = scan_crossings(std::vector(points.begin(), points.begin() + 8), stream_ratio, 3.1);
   EXPECT_TRUE(scan.brackets.empty());
   ASSERT_EQ(scan.undecided.size(), 1u);
   EXPECT_EQ(scan.undecided[0], points[5].p);
@@ -60,7 +60,7 @@ TEST(FitCrossings, TakesNoiseForNoCrossing) {
 TEST(FitCrossings, ALoneUndecidedPointBetweenOppositeSidesIsACrossing) {
   std::vector<ResponsePoint> points{point_at(0.1, 4, 0.01), point_at(0.2, 3.01, 0.01),
                                     point_at(0.3, 2, 0.01)};
-  const auto scan = scan_crossings(points, streams, 3);
+  const auto scan = scan_crossings(points, stream_ratio, 3);
   ASSERT_EQ(scan.brackets.size(), 1u);
   EXPECT_EQ(scan.brackets[0].low, 0.1);
   EXPECT_EQ(scan.brackets[0].high, 0.3);
@@ -70,15 +70,15 @@ TEST(FitCrossings, ALoneUndecidedPointBetweenOppositeSidesIsACrossing) {
 TEST(FitCrossings, SuspectsAHumpBetweenPoints) {
   // 3 - 400 (p - 0.21)^2 tops out at 3 between the points 0.20 and 0.22.
   const auto hump = [](double p) { return 3 - 400 * (p - 0.21) * (p - 0.21); };
-  const auto scan = scan_crossings(sampled(hump, 1e-4), streams, 2.98);
+  const auto scan = scan_crossings(sampled(hump, 1e-4), stream_ratio, 2.98);
   EXPECT_TRUE(scan.brackets.empty());
   ASSERT_FALSE(scan.vertices.empty());
   EXPECT_NEAR(scan.vertices.front(), 0.21, 0.002);
-  EXPECT_TRUE(scan_crossings(sampled(hump, 1e-4), streams, 3.05).vertices.empty());
+  EXPECT_TRUE(scan_crossings(sampled(hump, 1e-4), stream_ratio, 3.05).vertices.empty());
 }
 
 TEST(FitCrossings, AFlatCurveDecidesNothing) {
-  EXPECT_FALSE(scan_crossings(sampled([](double) { return 3; }, 0), streams, 3).any_decided);
+  EXPECT_FALSE(scan_crossings(sampled([](double) { return 3; }, 0), stream_ratio, 3).any_decided);
 }
 
 TEST(FitLocalRoot, SolvesAParabolaExactly) {
@@ -128,17 +128,17 @@ TEST(FitLocalRoot, SaysWhereAParabolaDoesNotFit) {
 TEST(FitAcceptedSet, IsWhereTheBandContainsTheRatio) {
   // Mean 5 - 10p, band +-0.5: 3 is accepted for 10p in [1.5, 2.5].
   const auto band = sampled([](double p) { return 5 - 10 * p; }, 0.01, 0.5);
-  const auto pieces = accepted_set(band, streams, 3);
+  const auto pieces = accepted_set(band, stream_ratio, 3);
   ASSERT_EQ(pieces.size(), 1u);
   EXPECT_NEAR(pieces[0].low, 0.15, 1e-10);
   EXPECT_NEAR(pieces[0].high, 0.25, 1e-10);
-  EXPECT_TRUE(accepted_set(band, streams, 9).empty());
+  EXPECT_TRUE(accepted_set(band, stream_ratio, 9).empty());
 }
 
 TEST(FitAcceptedSet, MayBeAUnion) {
   // A hollow at 0.25: 25 (p - 0.25)^2 in [0.25, 0.75] is [0.0768, 0.15] and its mirror image.
   const auto band = sampled([](double p) { return 3 + 25 * (p - 0.25) * (p - 0.25); }, 0.01, 0.25);
-  const auto pieces = accepted_set(band, streams, 3.5);
+  const auto pieces = accepted_set(band, stream_ratio, 3.5);
   ASSERT_EQ(pieces.size(), 2u);
   EXPECT_NEAR(pieces[0].low, 0.25 - std::sqrt(0.03), 2e-3);
   EXPECT_NEAR(pieces[0].high, 0.15, 2e-3);

@@ -45,12 +45,12 @@ TEST(GraftRule, IsSmallBesideTheTreeAndFitsTheTally) {
       const GraftRule rule(model, {pass, true}), whole(model, {pass, false});
       Size last = 0;
       for (Size n = 1; n <= Size{1} << 40; n *= 2) {
-        const Size grafted = rule.size(n);
-        EXPECT_LE(grafted, n / 4) << text << ", n = " << n;
-        EXPECT_GE(grafted, last) << text << ", n = " << n;
+        const Size size = rule.size(n);
+        EXPECT_LE(size, n / 4) << text << ", n = " << n;
+        EXPECT_GE(size, last) << text << ", n = " << n;
         EXPECT_EQ(whole.size(n), 0u);
         EXPECT_LE(rule.grown_nodes(n), static_cast<double>(n) + 1);
-        last = grafted;
+        last = size;
       }
       if (pass == orders_and_height || pass == orders_and_paths) {
         EXPECT_LE(last, HortonStrahler::largest_tallied);
