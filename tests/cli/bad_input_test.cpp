@@ -80,7 +80,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"UnknownList", "list model", "did you mean models"},
         Case{"UnknownTheoryModel", "theory --model catlan", "did you mean catalan"},
         Case{"LawOfUnknownStatistic", "law --model bst --n 10 --statistic strahlr", "did you mean strahler"},
-        Case{"LawOfASizeThatIsKnown", "law --model bst --n 10 --statistic size", "strahler, height, depth"},
+        Case{"LawOfASizeThatIsKnown", "law --model bst --n 10 --statistic size", "strahler, registers, height, depth"},
         Case{"LawOfUnknownModel", "law --model bts --n 10 --statistic height", "did you mean bst"},
         Case{"LawWithoutSize", "law --model bst --statistic height", "--help"},
         Case{"LawCovariancesOfOneNumber", "law --model bst --n 10 --statistic height --covariances",

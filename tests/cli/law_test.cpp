@@ -59,19 +59,6 @@ TEST(Law, OutputFileIsTheTable) {
   EXPECT_EQ(read_file(scratch / "law.csv"), ramify(what).out);
 }
 
-/// "beta(0.1,0.1)", "depth", "4096" -> "beta_0_1_0_1_depth_4096": what gtest takes for a name.
-std::string name_of(std::initializer_list<std::string> parts) {
-  std::string name;
-  for (const auto& part : parts) {
-    for (const char c : part + '_') {
-      const bool letter = std::isalnum(static_cast<unsigned char>(c)) != 0;
-      if (letter || (!name.empty() && name.back() != '_')) name += letter ? c : '_';
-    }
-  }
-  name.pop_back();
-  return name;
-}
-
 /// Peak memory of the program, in bytes.
 double peak_memory(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), RAMIFY_PROGRAM);

@@ -45,4 +45,16 @@ std::size_t count_lines(const std::string& text) {
   return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
 }
 
+std::string name_of(std::initializer_list<std::string> parts) {
+  std::string name;
+  for (const auto& part : parts) {
+    for (const char c : part + '_') {
+      const bool letter = std::isalnum(static_cast<unsigned char>(c)) != 0;
+      if (letter || (!name.empty() && name.back() != '_')) name += letter ? c : '_';
+    }
+  }
+  name.pop_back();
+  return name;
+}
+
 }  // namespace ramify::test

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <initializer_list>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -43,5 +44,8 @@ std::string read_file(const std::filesystem::path& path);
 
 /// Lines of a text.
 std::size_t count_lines(const std::string& text);
+
+/// Of letters, digits and _: the name of a parameterised test.
+std::string name_of(std::initializer_list<std::string> parts);
 
 }  // namespace ramify::test

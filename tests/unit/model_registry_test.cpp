@@ -130,7 +130,7 @@ TEST(Model, IsMadeOfNumbersAsOfTheirText) {
   };
   for (const auto& [info, numbers, text] :
        {Made{&Bst::info(), {}, "bst"}, Made{&Beta::info(), {0.3, 80}, "beta(0.3,80)"},
-        Made{&Patricia::info(), {1 / 4.35}, "patricia(0.22988505747126436)"},
+        Made{&Patricia::info(), {1 / 4.35}, "patricia(0.2298850574712644)"},
         Made{&FixedSplit::info(), {0.29}, "split(0.29)"}, Made{&FixedSplit::info(), {1.0 / 3}, "split(1/3)"},
         Made{&find_model("trie"), {0.25}, "trie(0.25)"}}) {
     const Model made = Model::make(*info, numbers), parsed = Model::parse(text);
