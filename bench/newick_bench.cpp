@@ -4,12 +4,12 @@
 
 #include <benchmark/benchmark.h>
 
-#include "ramify/measure/tree_measurement.hpp"
-#include "ramify/tree/contract_unary.hpp"
 #include "ramify/format/newick.hpp"
+#include "ramify/measure/tree_measurement.hpp"
 #include "ramify/model/bst.hpp"
 #include "ramify/model/split_tree.hpp"
 #include "ramify/random/stream.hpp"
+#include "ramify/tree/contract_unary.hpp"
 #include "ramify/tree/store.hpp"
 
 namespace {

@@ -6,10 +6,10 @@
 #include <string_view>
 
 #include "ramify/core/error.hpp"
-#include "ramify/tree/contract_unary.hpp"
 #include "ramify/format/order_counts.hpp"
 #include "ramify/format/read_trees.hpp"
 #include "ramify/format/write_trees.hpp"
+#include "ramify/tree/contract_unary.hpp"
 
 namespace {
 

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "ramify/core/number.hpp"
 #include "ramify/config/size_grid.hpp"
+#include "ramify/core/number.hpp"
 
 namespace ramify::detail {
 namespace {

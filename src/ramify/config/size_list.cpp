@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "ramify/config/size_grid.hpp"
 #include "ramify/core/error.hpp"
 #include "ramify/text/read_count.hpp"
-#include "ramify/config/size_grid.hpp"
 
 namespace ramify {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "ramify/tree/recorded_tree.hpp"
 #include "ramify/text/source_text.hpp"
+#include "ramify/tree/recorded_tree.hpp"
 
 namespace ramify {
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "ramify/tree/recorded_tree.hpp"
 #include "ramify/text/source_text.hpp"
+#include "ramify/tree/recorded_tree.hpp"
 
 namespace ramify {
 

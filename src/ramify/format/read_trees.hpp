@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "ramify/format/read_options.hpp"
-#include "ramify/tree/recorded_tree.hpp"
 #include "ramify/format/tree_format.hpp"
+#include "ramify/tree/recorded_tree.hpp"
 
 namespace ramify {
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "ramify/format/read_options.hpp"
-#include "ramify/tree/recorded_tree.hpp"
 #include "ramify/text/source_text.hpp"
+#include "ramify/tree/recorded_tree.hpp"
 
 namespace ramify {
 

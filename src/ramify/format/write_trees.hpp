@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "ramify/tree/recorded_tree.hpp"
 #include "ramify/format/tree_format.hpp"
+#include "ramify/tree/recorded_tree.hpp"
 
 namespace ramify {
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "ramify/format/order_counts.hpp"
-#include "ramify/tree/recorded_tree.hpp"
 #include "ramify/statistic/murray_exponent.hpp"
 #include "ramify/statistic/tree_measures.hpp"
+#include "ramify/tree/recorded_tree.hpp"
 
 namespace ramify {
 

@@ -86,7 +86,7 @@ std::vector<Rational> read_fractions(const ModelInfo& info, const std::vector<st
 
 /// The shortest text that reads back as the same number.
 std::string text_of(double value, const Rational& exact) {
-  const std::string decimal = format_exact(value);
+  std::string decimal = format_exact(value);
   if (Rational::parse(decimal) == exact) return decimal;
   return fmt::format("{}/{}", exact.numerator, exact.denominator);
 }

@@ -4,9 +4,9 @@
 #include <functional>
 #include <vector>
 
+#include "ramify/config/run_config.hpp"
 #include "ramify/core/cancellation.hpp"
 #include "ramify/run/run_tables.hpp"
-#include "ramify/config/run_config.hpp"
 
 namespace ramify {
 

@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "ramify/run/run_tables.hpp"
 #include "ramify/report/plot.hpp"
+#include "ramify/run/run_tables.hpp"
 #include "ramify/statistic/registry.hpp"
 
 namespace ramify {

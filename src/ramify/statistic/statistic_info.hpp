@@ -68,7 +68,7 @@ struct StatisticColumn {
   OrderPlace place;
 
   /// The only column of a statistic, or the one at a place.
-  StatisticColumn(const StatisticInfo& info, OrderPlace at = {}) : statistic(&info), place(at) {}
+  StatisticColumn(const StatisticInfo& info, OrderPlace at = {}) : statistic(&info), place(at) {}  // NOLINT
 
   /// "strahler", "nodes_3", "ramification_2_1"; orders, but no differences of them, are counted from
   /// leaf_order.
