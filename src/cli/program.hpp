@@ -9,7 +9,7 @@
 
 #include "ramify/core/cancellation.hpp"
 
-namespace CLI {
+namespace CLI {  // NOLINT(readability-identifier-naming): theirs
 class App;
 class Option;
 }  // namespace CLI

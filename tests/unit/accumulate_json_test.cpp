@@ -95,7 +95,7 @@ TEST(AccumulatorJson, MergesAsIfItHadNotTravelled) {
 TEST(AccumulatorJson, RefusesWhatIsNoAccumulator) {
   EXPECT_THROW(json({{"x", 1}}).get<WholeSummary>(), json::exception);
   EXPECT_THROW(json({{1}}).get<WholeSummary>(), json::exception);
-  EXPECT_THROW(json({nullptr}).get<RealSummary>(), json::exception);
+  EXPECT_THROW(json::array({nullptr}).get<RealSummary>(), json::exception);
   EXPECT_THROW(json({{"trees", 1}}).get<OrderTotals>(), json::exception);
   EXPECT_THROW(json({{"trees", 1}, {"orders", json::array()}}).get<OrderTotals>(), Error);
   EXPECT_THROW(json({{"trees", 1}, {"orders", {{"1", "x", "1"}}}}).get<OrderTotals>(), Error);

@@ -39,11 +39,12 @@ std::optional<GrownBlock> decode_block(std::span<const std::uint8_t> bytes, cons
         {j.at("cell"), j.at("first"), j.at("last"), j.at("index")},
         {j.at("wholes").get<std::vector<WholeSummary>>(), j.at("reals").get<std::vector<RealSummary>>(),
          j.at("nodes").get<OrderTotals>(), j.at("streams").get<OrderTotals>()}};
-    if (fits(grown, plan)) return grown;
-  } catch (const json::exception&) {  // damaged
-  } catch (const Error&) {            // not the sums of any trees
+    return fits(grown, plan) ? std::optional(std::move(grown)) : std::nullopt;
+  } catch (const json::exception&) {
+    return std::nullopt;  // damaged
+  } catch (const Error&) {
+    return std::nullopt;  // not the sums of any trees
   }
-  return std::nullopt;
 }
 
 }  // namespace ramify

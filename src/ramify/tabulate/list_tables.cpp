@@ -35,7 +35,7 @@ std::string sampling_of(const StatisticInfo& info) {
 std::string coverage_of(const StatisticInfo& statistic, const ModelInfo& model) {
   if (statistic.needs_binary && !model.is_binary) return "not defined";
   if (!model.is_split) return "streamed";
-  const std::string known = known_without_sampling(statistic);
+  std::string known = known_without_sampling(statistic);
   if (known_of(statistic.law.recurrence) == Known::value) return known;
   const std::string sampled = sampling_of(statistic) == "streamed" ? "streamed" : "grafted";
   return known.empty() ? sampled : known + " + " + sampled;
