@@ -109,7 +109,8 @@ std::string measure_files(const MeasureRequest& request, const Cancellation& can
     }
     for (RecordedTree& tree : read_trees(text, file, request.format, request.reading)) {
       if (cancellation.requested()) throw Interrupted();
-      measured.add(request.keep_unary ? tree : contract_unary(std::move(tree)));
+      if (!request.keep_unary) tree = contract_unary(std::move(tree));
+      measured.add(tree);
     }
   }
   return measured.text();

@@ -30,11 +30,13 @@ inline constexpr std::string_view internal_nodes = "internal nodes";
 
 /// What a model says of itself: a line of `ramify list models`, and what reads it.
 struct ModelInfo {
-  std::string_view name;                   ///< "beta"
+  std::string_view name;  ///< "beta"
+  // NOLINTBEGIN(readability-redundant-member-init): -Wextra wants them where an aggregate leaves one out
   std::vector<Parameter> parameters = {};  ///< "a", "b"
   std::string_view given = {};             ///< what they are where they are no numbers
   std::string_view together = {};          ///< of their domain, what no interval of one of them says
-  Size largest_n = max_size;               ///< where the same for all parameters
+  // NOLINTEND(readability-redundant-member-init)
+  Size largest_n = max_size;  ///< where the same for all parameters
   std::string_view n_counts = internal_nodes;
   std::string_view description;  ///< the split law in a line
   std::string_view source;       ///< author year, catalogue number

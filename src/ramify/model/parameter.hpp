@@ -23,10 +23,12 @@ struct Domain {
 
 /// What stands between the commas of a model, and which values it may have.
 struct Parameter {
-  std::string_view name;         ///< "a"
-  Domain domain = {};            ///< of a number; of texts and files all
+  std::string_view name;  ///< "a"
+  Domain domain = {};     ///< of a number; of texts and files all
+  // NOLINTBEGIN(readability-redundant-member-init): -Wextra wants them where an aggregate leaves one out
   std::string_view remedy = {};  ///< what to give in place of a value out of the domain
   std::string_view reason = {};  ///< why the domain ends where it does, if it needs one
+  // NOLINTEND(readability-redundant-member-init)
   bool is_whole = false;
 
   bool accepts(double value) const;

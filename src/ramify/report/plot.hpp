@@ -23,7 +23,7 @@ struct PlotSeries {
   Style style = Style::points;
   std::vector<PlotPoint> points;
   /// Place in the palette; by default the series' own place. Give a theory's line the colour of its points.
-  std::optional<std::size_t> color{};
+  std::optional<std::size_t> color{};  // NOLINT(readability-redundant-member-init): -Wextra wants it
 };
 
 /// A picture of a table: x against y, series by series.

@@ -124,7 +124,7 @@ RunOutcome run_experiment(const RunConfig& config, const RunOptions& options,
       grown ? check_against_exact_laws(plan, book.finished(), options.threads) : unchecked(book.finished()),
       grown, work};
   write_tables(work, outcome.cells);
-  if (grown) write_plots(work / "plots", run_plots(outcome.cells, plan.statistics));
+  if (grown) write_plots(work / "plots", run_plots(outcome.cells, plan));
   auto provenance = provenance_of(config, options, process);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   provenance["duration_seconds"] = seconds.count();

@@ -5,9 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "ramify/core/find_named.hpp"
-#include "ramify/model/registry.hpp"
-
 namespace ramify {
 namespace {
 
@@ -32,22 +29,17 @@ std::vector<PlotSeries> means_by_model(const std::vector<CheckedCell>& cells,
 }
 
 /// "n (internal nodes)"; "n" where the models count different things.
-std::string size_label(const std::vector<CheckedCell>& cells) {
+std::string size_label(const std::vector<CheckedCell>& cells, const Plan& plan) {
   std::set<std::string_view> counted;
-  for (const auto& cell : cells) {
-    const std::string& model = cell.result.model;
-    counted.insert(
-        find_named(models(), &ModelInfo::name, model.substr(0, model.find('(')), "model").n_counts);
-  }
+  for (const auto& cell : cells) counted.insert(plan.cells[cell.number - 1].model.info().n_counts);
   return counted.size() == 1 ? fmt::format("n ({})", *counted.begin()) : "n";
 }
 
 }  // namespace
 
-std::vector<std::pair<std::string, Plot>> run_plots(const std::vector<CheckedCell>& cells,
-                                                    const StatisticSet& statistics) {
+std::vector<std::pair<std::string, Plot>> run_plots(const std::vector<CheckedCell>& cells, const Plan& plan) {
   std::vector<std::pair<std::string, Plot>> plots;
-  for (const auto* info : statistics.chosen()) {
+  for (const auto* info : plan.statistics.chosen()) {
     if (info->shape != Columns::one || info->folds.empty()) continue;
     const std::string name(info->name);
     auto series = means_by_model(cells, *info);
@@ -55,7 +47,7 @@ std::vector<std::pair<std::string, Plot>> run_plots(const std::vector<CheckedCel
         std::any_of(series.begin(), series.end(), [](const auto& s) { return s.points.size() > 1; });
     if (!has_line) continue;
     plots.emplace_back(name, Plot{std::string(info->description), "sampled means with two standard errors",
-                                  size_label(cells), "mean " + name, true, false, std::move(series)});
+                                  size_label(cells, plan), "mean " + name, true, false, std::move(series)});
   }
   return plots;
 }

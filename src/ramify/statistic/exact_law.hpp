@@ -77,7 +77,7 @@ struct AffineMap {
 
 /// The exact law of a statistic X: that of Y by a recurrence, and how X comes from Y at size n.
 struct ExactLaw {
-  Recurrence recurrence = {};
+  Recurrence recurrence = {};  // NOLINT(readability-redundant-member-init): -Wextra wants it
   AffineMap (*map)(Size n) = [](Size) { return AffineMap(); };
 };
 

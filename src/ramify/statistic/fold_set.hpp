@@ -25,7 +25,8 @@ enum class Folded : std::uint8_t {
 class FoldSet {
  public:
   constexpr FoldSet() = default;
-  constexpr FoldSet(Folded fold) : bits_(std::uint32_t{1} << static_cast<unsigned>(fold)) {}  // NOLINT
+  // NOLINTNEXTLINE(google-explicit-constructor): one fold is a set of them
+  constexpr FoldSet(Folded fold) : bits_(std::uint32_t{1} << static_cast<unsigned>(fold)) {}
   constexpr FoldSet(std::initializer_list<Folded> folds) {
     for (const Folded fold : folds) bits_ |= FoldSet(fold).bits_;
   }

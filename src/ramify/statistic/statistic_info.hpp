@@ -68,7 +68,8 @@ struct StatisticColumn {
   OrderPlace place;
 
   /// The only column of a statistic, or the one at a place.
-  StatisticColumn(const StatisticInfo& info, OrderPlace at = {}) : statistic(&info), place(at) {}  // NOLINT
+  // NOLINTNEXTLINE(google-explicit-constructor): a statistic of one column is that column
+  StatisticColumn(const StatisticInfo& info, OrderPlace at = {}) : statistic(&info), place(at) {}
 
   /// "strahler", "nodes_3", "ramification_2_1"; orders, but no differences of them, are counted from
   /// leaf_order.
