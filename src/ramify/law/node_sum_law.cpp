@@ -18,7 +18,7 @@ void NodeSumLaw::extend(const SplitRow& row) {
   for (std::size_t m = 0; m < row.weights.size(); ++m) {
     const Size smaller = row.smaller(m), larger = row.larger(m);
     given_.push_back(child_weight_ * (mean_[smaller] + mean_[larger]) +
-                     toll_(std::array{smaller + 1, larger + 1}));
+                     toll_(std::array{static_cast<double>(smaller + 1), static_cast<double>(larger + 1)}));
     mean += row.weights[m] * given_.back();
   }
   for (std::size_t m = 0; m < row.weights.size(); ++m) {

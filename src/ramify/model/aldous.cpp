@@ -1,6 +1,7 @@
 #include "ramify/model/aldous.hpp"
 
 #include <array>
+#include <cmath>
 
 #include "ramify/model/beta_binomial.hpp"
 #include "ramify/model/model_info.hpp"
@@ -19,6 +20,15 @@ WeightWindow Aldous::window(Size n, double cutoff) const {
 SplitCharacter Aldous::character() const {
   const BetaFraction fraction{beta_ + 1, beta_ + 1, Scatter::strings};
   return {fraction, true, {.nanoseconds = 12}, reach_of(fraction)};
+}
+
+/// f(x) f(y), f(k) = Gamma(beta+1+k) / Gamma(k+1).
+RealSplit Aldous::real_split() const {
+  return SmoothSplit{[beta = beta_](double x, double y) {
+                       return beta * (std::log(x + 1) + std::log((y + 1) / (x + y))) +
+                              log_gamma_excess(x + 1, beta) + log_gamma_excess(y + 1, beta);
+                     },
+                     false};
 }
 
 const ModelInfo& Aldous::info() {

@@ -35,6 +35,7 @@ class Aldous {
   WeightWindow window(Size n, double cutoff) const;
 
   SplitCharacter character() const;
+  RealSplit real_split() const;
   static const ModelInfo& info();
 
   friend bool operator==(const Aldous&, const Aldous&) = default;

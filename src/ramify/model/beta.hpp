@@ -46,6 +46,7 @@ class Beta {
   double cell_probability(Size i, Size n) const;
 
   SplitCharacter character() const;
+  RealSplit real_split() const;
   static const ModelInfo& info();
 
   friend bool operator==(const Beta&, const Beta&) = default;

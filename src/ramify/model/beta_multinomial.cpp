@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+
+#include <boost/math/special_functions/gamma.hpp>
 
 #include "ramify/model/beta_binomial.hpp"
 #include "ramify/model/model_info.hpp"
@@ -26,6 +29,19 @@ WeightWindow BetaMultinomial::window(Size n, double cutoff) const {
 SplitCharacter BetaMultinomial::character() const {
   const BetaFraction fraction{a_, b_, Scatter::binomial};
   return {fraction, a_ == b_, {.nanoseconds = 12}, reach_of(fraction)};
+}
+
+/// Gamma(x-1+a)/Gamma(x) Gamma(y-1+b)/Gamma(y) Gamma(z-1)/Gamma(z-2+a+b) / B(a,b), z = x+y leaves: powers of
+/// the shares x/z and y/z, 1/z, and what is left of the Gammas beside powers.
+RealSplit BetaMultinomial::real_split() const {
+  const double log_beta = boost::math::lgamma(a_) + boost::math::lgamma(b_) - boost::math::lgamma(a_ + b_);
+  return SmoothSplit{[=, a = a_, b = b_](double x, double y) {
+                       const double z = x + y;
+                       return (a - 1) * std::log(x / z) + (b - 1) * std::log(y / z) - std::log(z) -
+                              (a + b - 1) * std::log1p(-1 / z) + log_gamma_excess(x, a - 1) +
+                              log_gamma_excess(y, b - 1) - log_gamma_excess(z - 1, a + b - 1) - log_beta;
+                     },
+                     true};
 }
 
 const ModelInfo& BetaMultinomial::info() {

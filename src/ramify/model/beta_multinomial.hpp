@@ -33,6 +33,7 @@ class BetaMultinomial {
   WeightWindow window(Size n, double cutoff) const;
 
   SplitCharacter character() const;
+  RealSplit real_split() const;
   static const ModelInfo& info();
 
   friend bool operator==(const BetaMultinomial&, const BetaMultinomial&) = default;

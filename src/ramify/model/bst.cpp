@@ -1,11 +1,17 @@
 #include "ramify/model/bst.hpp"
 
+#include <cmath>
+
 #include "ramify/model/model_info.hpp"
 
 namespace ramify {
 
 SplitCharacter Bst::character() const {
   return {BetaFraction{1, 1, Scatter::none}, true, {}, {8192, 2048}};  // 2.4 s, 0.6
+}
+
+RealSplit Bst::real_split() const {
+  return SmoothSplit{[](double left, double right) { return -std::log(left + right - 1); }, true};
 }
 
 const ModelInfo& Bst::info() {

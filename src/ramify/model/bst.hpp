@@ -25,6 +25,7 @@ class Bst {
   }
 
   SplitCharacter character() const;
+  RealSplit real_split() const;
   static const ModelInfo& info();
 
   friend bool operator==(const Bst&, const Bst&) = default;

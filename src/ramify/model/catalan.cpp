@@ -82,6 +82,17 @@ SplitCharacter Catalan::character() const {
   return {BetaFraction{-0.5, -0.5, Scatter::strings}, true, {}, {3000, 2048}};
 }
 
+/// c(x) c(y) / (4 c(z)), c(x) = Gamma(x-1/2) / (sqrt(pi) Gamma(x+1)) = C_(x-1) / 4^(x-1).
+RealSplit Catalan::real_split() const {
+  const auto excess = [](double x) { return -log_gamma_excess(x - 0.5, 1.5); };
+  return SmoothSplit{[excess](double x, double y) {
+                       const double z = x + y;
+                       return -1.5 * (std::log((x - 0.5) / (z - 0.5)) + std::log(y - 0.5)) + excess(x) +
+                              excess(y) - excess(z) - std::log(4 * std::sqrt(std::numbers::pi));
+                     },
+                     true};
+}
+
 const ModelInfo& Catalan::info() {
   static const ModelInfo info{
       .name = "catalan",

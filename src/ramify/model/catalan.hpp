@@ -26,6 +26,7 @@ class Catalan {
   class Rows;
 
   SplitCharacter character() const;
+  RealSplit real_split() const;
   static const ModelInfo& info();
 
   /// The left size at level u in (0,1) of the lower half of its law: the k <= (n-1)/2 with h(k) >= u >

@@ -15,6 +15,10 @@ SplitCharacter Dst::character() const {
   return {fraction, p_ == 0.5, {.nanoseconds = 16}, reach_of(fraction)};
 }
 
+RealSplit Dst::real_split() const {
+  return BinomialSplit{p_, 2, 1};
+}
+
 const ModelInfo& Dst::info() {
   static const ModelInfo info{
       .name = "dst",

@@ -29,6 +29,7 @@ class Dst {
   WeightWindow window(Size n, double cutoff) const { return binomial_window(n - 1, p_, cutoff); }
 
   SplitCharacter character() const;
+  RealSplit real_split() const;
   static const ModelInfo& info();
 
   friend bool operator==(const Dst&, const Dst&) = default;

@@ -1,6 +1,7 @@
 #include "ramify/model/ford.hpp"
 
 #include <array>
+#include <cmath>
 
 #include <boost/math/special_functions/gamma.hpp>
 
@@ -37,6 +38,16 @@ SplitCharacter Ford::character() const {
   if (alpha_ == 0) fraction = Bst().character().fraction;
   if (alpha_ == 0.5) fraction = Catalan().character().fraction;
   return {fraction, true, {.nanoseconds = 14}, {2048, 2048}};
+}
+
+/// The weights of aldous(-1-alpha) times the bracket.
+RealSplit Ford::real_split() const {
+  if (alpha_ == 1) return {};
+  const auto lopsided = std::get<SmoothSplit>(Aldous(-1 - alpha_).real_split()).log_weight;
+  return SmoothSplit{[lopsided, law = *this](double x, double y) {
+                       return lopsided(x, y) + std::log(law.bracket_of_leaves(x, y));
+                     },
+                     false};
 }
 
 const ModelInfo& Ford::info() {

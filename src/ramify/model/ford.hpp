@@ -47,6 +47,7 @@ class Ford {
   WeightWindow window(Size n, double cutoff) const;
 
   SplitCharacter character() const;
+  RealSplit real_split() const;
   static const ModelInfo& info();
 
   friend bool operator==(const Ford&, const Ford&) = default;
@@ -54,9 +55,11 @@ class Ford {
  private:
   /// The bracket over C(m,k): alpha/2 + (1 - 2 alpha) k (m-k) / (m (m-1)).
   double bracket(Size left, Size n) const {
-    const double leaves = static_cast<double>(left) + 1, others = static_cast<double>(n - left);
-    const double all = static_cast<double>(n) + 1;
-    return alpha_ / 2 + (1 - 2 * alpha_) * (leaves / all) * (others / (all - 1));
+    return bracket_of_leaves(static_cast<double>(left) + 1, static_cast<double>(n - left));
+  }
+  double bracket_of_leaves(double left, double right) const {
+    const double all = left + right;
+    return alpha_ / 2 + (1 - 2 * alpha_) * (left / all) * (right / (all - 1));
   }
 
   /// The probability of the second term, alpha <= 1/2: the product of 1 - alpha/(i-alpha) over i = 1..n.

@@ -35,6 +35,10 @@ SplitCharacter Patricia::character() const {
   return {fraction, p_ == 0.5, {.nanoseconds = 16}, reach_of(fraction)};
 }
 
+RealSplit Patricia::real_split() const {
+  return BinomialSplit{p_, 0, 0};
+}
+
 const ModelInfo& Patricia::info() {
   static const ModelInfo info{
       .name = "patricia",

@@ -30,6 +30,7 @@ class Patricia {
   WeightWindow window(Size n, double cutoff) const;
 
   SplitCharacter character() const;
+  RealSplit real_split() const;
   static const ModelInfo& info();
 
   friend bool operator==(const Patricia&, const Patricia&) = default;

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "ramify/model/real_split.hpp"
 #include "ramify/model/split_character.hpp"
 #include "ramify/model/weight_window.hpp"
 #include "ramify/tree/grammar.hpp"
@@ -28,8 +29,9 @@ inline constexpr Size max_double_size = Size{1} << 50;
 ///   Law::uses_table          true where drawing small sizes from an alias table pays (SplitTree)
 ///   Law::info()              the model: name, parameters with their domains, source
 /// and, where rows of size after size are made faster than windows, a class Law::Rows that is made from a law
-/// and has a window(n): P(left = i) up to a factor and, at its choice, up to reflection.
-/// A law is immutable, cheap to copy and compared by value; its constructor refuses parameters out of their
+/// and has a window(n): P(left = i) up to a factor and, at its choice, up to reflection; where its weights go
+/// on between whole numbers, law.real_split(), with which its laws reach sizes of any magnitude (large/). A
+/// law is immutable, cheap to copy and compared by value; its constructor refuses parameters out of their
 /// domain.
 template <class L, class Urbg>
 concept SplitLaw = requires(const L& law, Size n, double cutoff, Urbg& stream) {

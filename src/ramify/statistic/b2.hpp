@@ -25,7 +25,7 @@ class B2 {
 
   double index(Value root) const { return root; }
 
-  static double toll(std::span<const Size> leaves) { return std::log2(static_cast<double>(leaves.size())); }
+  static double toll(std::span<const double> leaves) { return std::log2(static_cast<double>(leaves.size())); }
   static constexpr NodeSum recurrence{toll, true};
 };
 

@@ -38,7 +38,12 @@ class Balance {
       {{LawForm::at, -1, LawForm::below, 1}, {LawForm::below, -1, LawForm::at, 0}}};
   static constexpr std::array<JoinTerm, 2> equal{
       {{LawForm::at, -1, LawForm::below, 0}, {LawForm::below, -1, LawForm::at, -1}}};
-  static constexpr JoinRule rule{unequal, equal};
+  /// P(B >= k).
+  static constexpr std::array<JoinTerm, 2> upper_unequal{
+      {{LawForm::from, -1, LawForm::any, 0}, {LawForm::below, -1, LawForm::from, 0}}};
+  static constexpr std::array<JoinTerm, 2> upper_equal{
+      {{LawForm::from, -1, LawForm::any, 0}, {LawForm::below, -1, LawForm::from, -1}}};
+  static constexpr JoinRule rule{unequal, equal, upper_unequal, upper_equal};
   static constexpr BoundedJoin recurrence{&rule};
 };
 

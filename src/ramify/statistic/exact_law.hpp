@@ -35,8 +35,9 @@ struct WeightedWalk {
   friend bool operator==(const WeightedWalk&, const WeightedWalk&) = default;
 };
 
-/// What a node costs, from the numbers of external nodes of its children.
-using Toll = double (*)(std::span<const Size> leaves);
+/// What a node costs, from the numbers of external nodes of its children; at large sizes, where laws are held
+/// on a grid, these need not be whole (large/).
+using Toll = double (*)(std::span<const double> leaves);
 
 /// The sum over all internal nodes of a toll, or, averaged, the toll of the root plus the mean over its
 /// children: Y = toll + (Y_1 + ... + Y_k)/k. Y = 0 of an external node. Mean and variance are known.

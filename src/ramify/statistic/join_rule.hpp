@@ -10,6 +10,7 @@ enum class LawForm : std::size_t {
   at,     ///< P(V = k)
   below,  ///< P(V < k)
   from,   ///< P(V >= k)
+  any,    ///< 1
 };
 
 /// One way to a joined value of k: the smaller child's V in one form at k + smaller_shift, and the larger
@@ -26,6 +27,15 @@ struct JoinTerm {
 struct JoinRule {
   std::span<const JoinTerm> unequal;
   std::span<const JoinTerm> equal;
+
+  /// The same for P(V >= k), k >= 1, of terms `from` and `below` alone: upper tails as sums of positive
+  /// products. Empty where V is 1 + the lower of the children's values, whose P(V < k) is that of either
+  /// child being below k-1.
+  std::span<const JoinTerm> upper_unequal = {};
+  std::span<const JoinTerm> upper_equal = {};
+
+  bool takes_the_lower() const { return upper_unequal.empty(); }
+  bool tells_ties() const { return unequal.data() != equal.data(); }
 };
 
 }  // namespace ramify

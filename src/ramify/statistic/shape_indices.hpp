@@ -1,6 +1,6 @@
 #pragma once
 
-#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <numeric>
 #include <span>
@@ -37,13 +37,11 @@ class ShapeIndices {
   }
 
   /// What a node of a binary tree adds to each.
-  static double path_length_toll(std::span<const Size> leaves) { return sackin_toll(leaves) - 2; }
-  static double sackin_toll(std::span<const Size> leaves) {
-    return static_cast<double>(std::accumulate(leaves.begin(), leaves.end(), Size{0}));
+  static double path_length_toll(std::span<const double> leaves) { return sackin_toll(leaves) - 2; }
+  static double sackin_toll(std::span<const double> leaves) {
+    return std::accumulate(leaves.begin(), leaves.end(), 0.0);
   }
-  static double colless_toll(std::span<const Size> leaves) {
-    return static_cast<double>(std::max(leaves[0], leaves[1]) - std::min(leaves[0], leaves[1]));
-  }
+  static double colless_toll(std::span<const double> leaves) { return std::abs(leaves[0] - leaves[1]); }
 
   std::uint64_t path_length() const { return path_length_; }
   std::uint64_t sackin() const { return sackin_; }

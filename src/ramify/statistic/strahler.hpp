@@ -55,7 +55,11 @@ class Strahler {
   static constexpr std::array<JoinTerm, 3> ways{{{LawForm::at, 0, LawForm::below, 0},
                                                  {LawForm::below, 0, LawForm::at, 0},
                                                  {LawForm::at, -1, LawForm::at, -1}}};
-  static constexpr JoinRule rule{ways, ways};
+  /// P(S >= k): one child has k or more and the other less than k-1, or both have k-1 or more.
+  static constexpr std::array<JoinTerm, 3> upper{{{LawForm::from, 0, LawForm::below, -1},
+                                                  {LawForm::below, -1, LawForm::from, 0},
+                                                  {LawForm::from, -1, LawForm::from, -1}}};
+  static constexpr JoinRule rule{ways, ways, upper, upper};
   static constexpr BoundedJoin recurrence{&rule};
 };
 

@@ -1,7 +1,8 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
+#include <iterator>
+#include <numeric>
 #include <vector>
 
 #include "ramify/statistic/exact_law.hpp"
@@ -22,11 +23,9 @@ class TollSums {
 
   template <class Label, class Labels, class Values>
   Value join(const Label&, const Labels&, const Values& leaves_below) {
-    const std::span<const Size> leaves(leaves_below);
-    for (std::size_t i = 0; i < sums_.size(); ++i) sums_[i] += (*tolls_)[i](leaves);
-    Size sum = 0;
-    for (const Size below : leaves) sum += below;
-    return sum;
+    leaves_.assign(std::begin(leaves_below), std::end(leaves_below));
+    for (std::size_t i = 0; i < sums_.size(); ++i) sums_[i] += (*tolls_)[i](leaves_);
+    return std::accumulate(std::begin(leaves_below), std::end(leaves_below), Size{0});
   }
 
   const std::vector<double>& sums() const { return sums_; }
@@ -34,6 +33,7 @@ class TollSums {
  private:
   const std::vector<Toll>* tolls_;
   std::vector<double> sums_;
+  std::vector<double> leaves_;  // of one node's children, kept for its memory
 };
 
 }  // namespace ramify

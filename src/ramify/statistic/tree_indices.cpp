@@ -22,47 +22,46 @@ double leaves_of(const TreeMeasures& m) {
 
 // ---- tolls, of the numbers of external nodes of a node's children ----
 
-double pairs(Size leaves) {
-  return static_cast<double>(leaves) * static_cast<double>(leaves - 1) / 2;
+double pairs(double leaves) {
+  return leaves * (leaves - 1) / 2;
 }
 
 /// A toll of nodes with two children: 0 of one-child nodes, undefined of others.
-template <double (*toll)(Size left, Size right)>
-double of_two(std::span<const Size> leaves) {
+template <double (*toll)(double left, double right)>
+double of_two(std::span<const double> leaves) {
   if (leaves.size() == 1) return 0;
   return leaves.size() == 2 ? toll(leaves[0], leaves[1]) : undefined;
 }
 
 /// Below the children, so that the root is left out.
-double cophenetic_toll(std::span<const Size> leaves) {
+double cophenetic_toll(std::span<const double> leaves) {
   double sum = 0;
-  for (const Size below : leaves) sum += pairs(below);
+  for (const double below : leaves) sum += pairs(below);
   return sum;
 }
 
-double quartets_of(Size left, Size right) {
+double quartets_of(double left, double right) {
   return 3 * pairs(left) * pairs(right);
 }
 
-double differ(Size left, Size right) {
+double differ(double left, double right) {
   return left == right ? 0 : 1;
 }
 
-double smaller_over_larger(Size left, Size right) {
-  return static_cast<double>(std::min(left, right)) / static_cast<double>(std::max(left, right));
+double smaller_over_larger(double left, double right) {
+  return std::min(left, right) / std::max(left, right);
 }
 
-double pitchfork_toll(std::span<const Size> leaves) {
-  return leaves.size() > 1 && std::accumulate(leaves.begin(), leaves.end(), Size{0}) == 3 ? 1 : 0;
+double pitchfork_toll(std::span<const double> leaves) {
+  return leaves.size() > 1 && std::accumulate(leaves.begin(), leaves.end(), 0.0) == 3 ? 1 : 0;
 }
 
 /// Leaves times the entropy of how they divide, to the base of the number of children.
-double entropy_toll(std::span<const Size> leaves) {
+double entropy_toll(std::span<const double> leaves) {
   if (leaves.size() == 1) return 0;
-  const auto all = static_cast<double>(std::accumulate(leaves.begin(), leaves.end(), Size{0}));
+  const double all = std::accumulate(leaves.begin(), leaves.end(), 0.0);
   double sum = 0;
-  for (const Size below : leaves)
-    sum -= static_cast<double>(below) * std::log(static_cast<double>(below) / all);
+  for (const double below : leaves) sum -= below * std::log(below / all);
   return sum / std::log(static_cast<double>(leaves.size()));
 }
 

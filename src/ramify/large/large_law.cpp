@@ -1,0 +1,242 @@
+#include "ramify/large/large_law.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "ramify/core/contract.hpp"
+#include "ramify/core/error.hpp"
+#include "ramify/large/large_join.hpp"
+#include "ramify/large/large_levels.hpp"
+#include "ramify/large/large_node_sum.hpp"
+#include "ramify/law/build_law.hpp"
+
+namespace ramify {
+namespace {
+
+constexpr Size smallest_table = 1024;
+constexpr double least_scatter = 100;  // variance of a binomial split, from which on it is smooth
+constexpr Size largest_table = 1 << 15;
+constexpr double first_step = 0.04;  // at twice of it no half of a size reaches the size itself
+constexpr double good_enough = 1e-8;
+constexpr int halvings = 4;
+constexpr double grid_errors_fall = 8;
+constexpr double rounding = 4e-15;
+
+double difference(double a, double b) {
+  return std::abs(a - b);
+}
+
+/// What the three solutions say together.
+Estimate estimate(double fine, double coarse, double early) {
+  return {fine, difference(fine, coarse) / grid_errors_fall + difference(coarse, early) +
+                    rounding * std::abs(fine)};
+}
+
+/// P(V >= k), k = 0, 1, ...: mean and variance, about the last value that is sure.
+Moments moments_of_tail(const std::vector<double>& tail) {
+  std::size_t sure = 0;
+  while (sure + 1 < tail.size() && tail[sure + 1] >= 1) ++sure;
+  double mean = 0, second = 0;
+  for (std::size_t k = sure + 1; k < tail.size(); ++k) {
+    mean += tail[k];
+    second += (2 * static_cast<double>(k - sure) - 1) * tail[k];
+  }
+  return {static_cast<double>(sure) + mean, std::max(0.0, second - mean * mean)};
+}
+
+}  // namespace
+
+/// One computation, from one seam on one grid.
+class LargeLaw::Solution {
+ public:
+  Solution(const Model& model, const Recurrence& recurrence, Size table, double step, double largest_n,
+           const Cancellation& cancellation)
+      : grid_(table, step, largest_n + 1) {
+    const CompressedRows rows(model, step, largest_n + 1);
+    const auto exact = [&](auto law) {
+      return build_law(model, table + residue_reach, std::move(law), cancellation);
+    };
+    if (const auto* sum = std::get_if<NodeSum>(&recurrence)) {
+      sum_.emplace(*sum, grid_, rows, exact(NodeSumLaw(*sum)), cancellation);
+    } else if (const auto* join = std::get_if<BoundedJoin>(&recurrence)) {
+      const BoundedLaw law = exact(BoundedLaw(*join, table + residue_reach));
+      if (join->rule->takes_the_lower())
+        solve_lowest(law, rows, cancellation);
+      else
+        join_.emplace(*join->rule, grid_, rows, law, cancellation);
+    } else if (const auto* walk = std::get_if<WeightedWalk>(&recurrence)) {
+      solve_walk(*walk, exact(DepthLaw(*walk)), rows, cancellation);
+    } else {
+      RAMIFY_EXPECTS(std::holds_alternative<LongestPath>(recurrence));
+      const HeightLaw law = exact(HeightLaw());
+      levels_.emplace(
+          LevelJoin{}, grid_, rows, [&law](Size n, std::size_t h) { return law.above(n, h); }, cancellation);
+    }
+  }
+  Solution(const Solution&) = delete;  // the computations refer to grid_
+  Solution& operator=(const Solution&) = delete;
+  Solution(Solution&&) = delete;
+  Solution& operator=(Solution&&) = delete;
+  ~Solution() = default;
+
+  bool has_law() const { return !sum_; }
+  double first_size() const { return static_cast<double>(grid_.table_size()); }
+
+  Moments moments(double n) const { return sum_ ? sum_->moments(n) : moments_of_tail(tail(n)); }
+
+  /// P(V >= k), k = 0, 1, ...
+  std::vector<double> tail(double n) const {
+    if (join_) return join_->tail(n);
+    std::vector<double> tail = levels_->levels(n + 1);
+    if (of_the_lowest_) {
+      for (double& p : tail) p = 1 - p;
+    } else {
+      tail.insert(tail.begin(), 1.0);
+    }
+    return tail;
+  }
+
+ private:
+  /// 1 + the lower of the children's values, by P(V < k).
+  void solve_lowest(const BoundedLaw& law, const CompressedRows& rows, const Cancellation& cancellation) {
+    of_the_lowest_ = true;
+    const auto top = static_cast<std::size_t>(std::log2(static_cast<double>(law.sizes())));
+    const auto below = [&](Size n, std::size_t k) {
+      return k > top ? 1.0 : law.all_sizes(LawForm::below, static_cast<std::ptrdiff_t>(k))[n];
+    };
+    levels_.emplace(LevelJoin{nullptr, false}, grid_, rows, below, cancellation);
+  }
+
+  void solve_walk(WeightedWalk walk, const DepthLaw& law, const CompressedRows& rows,
+                  const Cancellation& cancellation) {
+    const auto weight = static_cast<double>(walk.weight_of_none);
+    const auto share = [weight](double child, double all) {
+      return (child - 1 + weight) / (all - 2 + 2 * weight);
+    };
+    // P(depth > d), summed once for each size.
+    std::vector<std::vector<double>> above(grid_.table_size() + 1);
+    for (Size n = 0; n < above.size(); ++n) {
+      above[n] = law.pmf(n);
+      for (std::size_t i = above[n].size() - 1; i-- > 0;) above[n][i] += above[n][i + 1];
+    }
+    const auto table = [&](Size n, std::size_t d) {
+      if (d < law.lowest(n)) return 1.0;
+      const std::size_t i = d - law.lowest(n) + 1;
+      return i < above[n].size() ? above[n][i] : 0.0;
+    };
+    levels_.emplace(LevelJoin{share, true}, grid_, rows, table, cancellation);
+  }
+
+  SizeGrid grid_;
+  bool of_the_lowest_ = false;  ///< levels_ are P(V < k), not P(V > k)
+  std::optional<LargeJoin> join_;
+  std::optional<LargeLevels> levels_;
+  std::optional<LargeNodeSum> sum_;
+};
+
+namespace {
+
+/// Whether the errors at all sizes are as small as they should be.
+bool fine_enough(const LargeLaw& law, const std::vector<double>& sizes) {
+  return std::ranges::all_of(sizes, [&law](double n) {
+    const LargeMoments m = law.moments(n);
+    return m.mean.error <= good_enough * std::max(1.0, std::abs(m.mean.value)) &&
+           m.variance.error <= good_enough * std::max(1.0, m.variance.value);
+  });
+}
+
+}  // namespace
+
+LargeLaw::LargeLaw(const Model& model, const Recurrence& recurrence, const std::vector<double>& sizes,
+                   const Cancellation& cancellation) {
+  require_large_laws(model);
+  RAMIFY_EXPECTS(!sizes.empty());
+  const double largest = *std::ranges::max_element(sizes);
+  const Size table = large_law_table(model);
+  const auto solve = [&](Size seam, double step) {
+    return std::make_unique<Solution>(model, recurrence, seam, step, largest, cancellation);
+  };
+  double step = first_step;
+  solutions_.push_back(solve(table, step));
+  solutions_.push_back(solve(table, 2 * step));
+  solutions_.push_back(solve(table / 2, 2 * step));
+  for (int halved = 0; halved < halvings && !fine_enough(*this, sizes); ++halved) {
+    step /= 2;
+    solutions_[1] = std::move(solutions_[0]);
+    solutions_[0] = solve(table, step);
+    solutions_[2] = solve(table / 2, 2 * step);
+  }
+}
+
+LargeLaw::LargeLaw(LargeLaw&&) noexcept = default;
+LargeLaw& LargeLaw::operator=(LargeLaw&&) noexcept = default;
+LargeLaw::~LargeLaw() = default;
+
+double LargeLaw::first_size() const {
+  return solutions_.front()->first_size();
+}
+
+LargeMoments LargeLaw::moments(double n) const {
+  const Moments fine = solutions_[0]->moments(n), coarse = solutions_[1]->moments(n),
+                early = solutions_[2]->moments(n);
+  return {estimate(fine.mean, coarse.mean, early.mean),
+          estimate(fine.variance, coarse.variance, early.variance)};
+}
+
+std::optional<LargeFiniteLaw> LargeLaw::law(double n) const {
+  if (!solutions_.front()->has_law()) return std::nullopt;
+  std::vector<std::vector<double>> tails;
+  std::size_t values = 0;
+  for (const auto& solution : solutions_) {
+    tails.push_back(solution->tail(n));
+    values = std::max(values, tails.back().size());
+  }
+  for (auto& tail : tails) tail.resize(values + 1, 0.0);
+  LargeFiniteLaw law{0, {}};
+  for (std::size_t k = 0; k < values; ++k) {
+    const auto probability = [&](std::size_t s) { return std::max(0.0, tails[s][k] - tails[s][k + 1]); };
+    Estimate p = estimate(probability(0), probability(1), probability(2));
+    // Differences of what is nearly 1 are rounding.
+    p.error += tails[0][k] > 0.5 ? rounding : 0;
+    if (p.value <= p.error && law.probabilities.empty()) continue;
+    if (law.probabilities.empty()) law.first = static_cast<double>(k);
+    law.probabilities.push_back(p);
+  }
+  while (!law.probabilities.empty() && law.probabilities.back().value <= law.probabilities.back().error)
+    law.probabilities.pop_back();
+  return law;
+}
+
+LargeMoments LargeMoments::mapped(AffineMap map) const {
+  const double square = map.factor * map.factor;
+  return {{map.factor * mean.value + map.shift, std::abs(map.factor) * mean.error},
+          {square * variance.value, square * variance.error}};
+}
+
+Size large_law_table(const Model& model) {
+  const SplitFraction fraction = model.character().fraction;
+  const auto* constant = std::get_if<ConstantFraction>(&fraction);
+  if (constant == nullptr) return 2 * smallest_table;
+  const double needed = least_scatter / (constant->p * (1 - constant->p));
+  Size table = smallest_table;
+  while (static_cast<double>(table) < needed && table < largest_table) table *= 2;
+  return 2 * table;
+}
+
+bool has_large_laws(const Model& model) {
+  return CompressedRows::exist(model) && large_law_table(model) <= largest_table;
+}
+
+void require_large_laws(const Model& model) {
+  if (!CompressedRows::exist(model))
+    throw Error(fmt::format("laws of {} beyond its exact ones", model.text()),
+                "its splits are known at whole sizes alone", "take a smaller n");
+  if (large_law_table(model) > largest_table)
+    throw Error(fmt::format("laws of {} beyond its exact ones", model.text()),
+                "hardly anything goes to one side: exact laws would have to reach too far",
+                "take p nearer to 1/2, or a smaller n");
+}
+
+}  // namespace ramify
