@@ -14,8 +14,9 @@
 namespace ramify {
 namespace {
 
-constexpr double ends = 48;        // even: leaves of a child that are summed one by one
-constexpr double whole_to = 2000;  // leaves of a child, at most, on panels of whole numbers
+constexpr double ends = 48;               // leaves of a child that are summed one by one
+constexpr double ends_of_residues = 128;  // the same where only every fourth size is known; a multiple of 4
+constexpr double whole_to = 2000;         // leaves of a child, at most, on panels of whole numbers
 constexpr double near_the_middle =
     0.47;                             // share where they end in small sizes: about 1/2 odd derivatives vanish
 constexpr double widest_whole = 0.7;  // log of the ratio of such a panel's ends
@@ -117,7 +118,8 @@ class CompressedRows::Builder {
   /// the sum of residue q begins at ends + q, and stands for an integral from residues/2 below that.
   void add_begin_of_residues() {
     if (!residue_) return;
-    const double smaller = ends + 0.5, w = weight(smaller), log_share = std::log(smaller / leaves_);
+    const double smaller = ends_of_residues + 0.5, w = weight(smaller),
+                 log_share = std::log(smaller / leaves_);
     for (Residue q = 0; q < residues; ++q) put(w * (1.5 - q) / residues, smaller, log_share, q);
   }
 
@@ -243,7 +245,7 @@ CompressedRow CompressedRows::binomial_row(const BinomialSplit& split, double le
 }
 
 /// From whole_below down to the ends.
-void CompressedRows::add_whole_panels(Builder& row, double leaves, double whole_below) const {
+void CompressedRows::add_whole_panels(Builder& row, double leaves, double ends, double whole_below) const {
   double high = whole_below;
   while (high > ends + 1) {
     const double width = std::min(widest_whole, panel_width(std::log(high / leaves)));
@@ -273,7 +275,7 @@ void CompressedRows::add_panels(Builder& row, double leaves, double bottom, doub
 }
 
 CompressedRow CompressedRows::row(double leaves, std::optional<Residue> residue) const {
-  RAMIFY_EXPECTS(leaves >= 4 * ends + 8);
+  RAMIFY_EXPECTS(leaves >= 4 * ends_of_residues);
   if (const auto* binomial = std::get_if<BinomialSplit>(&split_)) {
     const double deviation = std::sqrt(mean_ * (1 - mean_) * leaves);
     const bool ties = std::abs(mean_ - 0.5) * leaves < 14 * deviation;
@@ -281,9 +283,10 @@ CompressedRow CompressedRows::row(double leaves, std::optional<Residue> residue)
   }
   Builder row(split_, leaves, residue);
   const double whole_below = std::floor(std::min(whole_to, near_the_middle * leaves));
-  for (double smaller = 1; smaller <= ends; ++smaller) row.add_whole(smaller);
+  const double last_alone = residue ? ends_of_residues : ends;
+  for (double smaller = 1; smaller <= last_alone; ++smaller) row.add_whole(smaller);
   row.add_begin_of_residues();
-  add_whole_panels(row, leaves, whole_below);
+  add_whole_panels(row, leaves, last_alone, whole_below);
   row.add_lower_end(whole_below - 0.5);
   const bool to_the_middle = row.last_smaller() == leaves / 2;
   add_panels(row, leaves, std::log((whole_below - 0.5) / leaves),

@@ -41,11 +41,11 @@ struct CompressedRow {
 
 /// The rows of a law at sizes of any magnitude, some 100 to 300 places each.
 ///
-/// The first 48 sizes at either end are summed as they are; then Gauss's rule for the counting measure on
-/// panels of whole numbers, to a quarter of the leaves or to 2000; then Gauss and Legendre's on panels in the
-/// log of the size, with Euler and Maclaurin's term where whole numbers end. Panels follow the law's standard
-/// deviation. A binomial row is the trapezoidal rule with half a standard deviation a step, which is exact to
-/// rounding. Weights below 1e-42 are left out.
+/// The first 48 sizes (128) at either end are summed as they are; then Gauss's rule for the counting measure
+/// on panels of whole numbers, to a quarter of the leaves or to 2000; then Gauss and Legendre's on panels in
+/// the log of the size, with Euler and Maclaurin's term where whole numbers end. Panels follow the law's
+/// standard deviation. A binomial row is the trapezoidal rule with half a standard deviation a step, which is
+/// exact to rounding. Weights below 1e-42 are left out.
 ///
 /// A row with a residue (of n) is for laws that tell ties from other splits: it ends at the last smaller
 /// child, and its places name the residues of both children.
@@ -55,7 +55,7 @@ class CompressedRows {
   /// @param step    of the grid of sizes, in log leaves: what the law is smooth over
   CompressedRows(const Model& model, double step, double largest_leaves);
 
-  /// Of 200 leaves or more. O(places), some 0.1 us each.
+  /// Of 512 leaves or more. O(places), some 0.1 us each.
   CompressedRow row(double leaves, std::optional<Residue> residue = std::nullopt) const;
 
   /// Whether the model has such rows.
@@ -65,7 +65,7 @@ class CompressedRows {
   class Builder;
   double panel_width(double log_share) const;
   CompressedRow binomial_row(const BinomialSplit& split, double leaves, std::optional<Residue> residue) const;
-  void add_whole_panels(Builder& row, double leaves, double whole_below) const;
+  void add_whole_panels(Builder& row, double leaves, double ends, double whole_below) const;
   void add_panels(Builder& row, double leaves, double bottom, double top) const;
 
   RealSplit split_;

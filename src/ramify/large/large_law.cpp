@@ -1,12 +1,10 @@
 #include "ramify/large/large_law.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
-#include <fmt/format.h>
-
 #include "ramify/core/contract.hpp"
-#include "ramify/core/error.hpp"
 #include "ramify/large/large_join.hpp"
 #include "ramify/large/large_levels.hpp"
 #include "ramify/large/large_node_sum.hpp"
@@ -14,25 +12,6 @@
 
 namespace ramify {
 namespace {
-
-constexpr Size smallest_table = 1024;
-constexpr double least_scatter = 100;  // variance of a binomial split, from which on it is smooth
-constexpr Size largest_table = 1 << 15;
-constexpr double first_step = 0.04;  // at twice of it no half of a size reaches the size itself
-constexpr double good_enough = 1e-8;
-constexpr int halvings = 4;
-constexpr double grid_errors_fall = 8;
-constexpr double rounding = 4e-15;
-
-double difference(double a, double b) {
-  return std::abs(a - b);
-}
-
-/// What the three solutions say together.
-Estimate estimate(double fine, double coarse, double early) {
-  return {fine, difference(fine, coarse) / grid_errors_fall + difference(coarse, early) +
-                    rounding * std::abs(fine)};
-}
 
 /// P(V >= k), k = 0, 1, ...: mean and variance, about the last value that is sure.
 Moments moments_of_tail(const std::vector<double>& tail) {
@@ -82,7 +61,6 @@ class LargeLaw::Solution {
   ~Solution() = default;
 
   bool has_law() const { return !sum_; }
-  double first_size() const { return static_cast<double>(grid_.table_size()); }
 
   Moments moments(double n) const { return sum_ ? sum_->moments(n) : moments_of_tail(tail(n)); }
 
@@ -136,73 +114,50 @@ class LargeLaw::Solution {
   std::optional<LargeNodeSum> sum_;
 };
 
-namespace {
-
-/// Whether the errors at all sizes are as small as they should be.
-bool fine_enough(const LargeLaw& law, const std::vector<double>& sizes) {
-  return std::ranges::all_of(sizes, [&law](double n) {
-    const LargeMoments m = law.moments(n);
-    return m.mean.error <= good_enough * std::max(1.0, std::abs(m.mean.value)) &&
-           m.variance.error <= good_enough * std::max(1.0, m.variance.value);
-  });
-}
-
-}  // namespace
-
 LargeLaw::LargeLaw(const Model& model, const Recurrence& recurrence, const std::vector<double>& sizes,
                    const Cancellation& cancellation) {
-  require_large_laws(model);
-  RAMIFY_EXPECTS(!sizes.empty());
+  RAMIFY_EXPECTS(!sizes.empty() && no_large_laws(model).empty());
   const double largest = *std::ranges::max_element(sizes);
-  const Size table = large_law_table(model);
   const auto solve = [&](Size seam, double step) {
     return std::make_unique<Solution>(model, recurrence, seam, step, largest, cancellation);
   };
-  double step = first_step;
-  solutions_.push_back(solve(table, step));
-  solutions_.push_back(solve(table, 2 * step));
-  solutions_.push_back(solve(table / 2, 2 * step));
-  for (int halved = 0; halved < halvings && !fine_enough(*this, sizes); ++halved) {
-    step /= 2;
-    solutions_[1] = std::move(solutions_[0]);
-    solutions_[0] = solve(table, step);
-    solutions_[2] = solve(table / 2, 2 * step);
-  }
+  const auto fine_enough = [&](const Refined<Solution>& solutions) {
+    return std::ranges::all_of(sizes, [&](double n) {
+      const LargeMoments moments = moments_of(solutions, n);
+      return is_good(moments.mean) && is_good(moments.variance);
+    });
+  };
+  solutions_ = std::make_unique<Refined<Solution>>(large_law_table(model), solve, fine_enough);
 }
 
 LargeLaw::LargeLaw(LargeLaw&&) noexcept = default;
 LargeLaw& LargeLaw::operator=(LargeLaw&&) noexcept = default;
 LargeLaw::~LargeLaw() = default;
 
-double LargeLaw::first_size() const {
-  return solutions_.front()->first_size();
+LargeMoments LargeLaw::moments_of(const Refined<Solution>& solutions, double n) {
+  const Moments fine = solutions.fine().moments(n), coarse = solutions.coarse().moments(n),
+                early = solutions.early().moments(n);
+  return {Refined<Solution>::combined(fine.mean, coarse.mean, early.mean),
+          Refined<Solution>::combined(fine.variance, coarse.variance, early.variance)};
 }
 
 LargeMoments LargeLaw::moments(double n) const {
-  const Moments fine = solutions_[0]->moments(n), coarse = solutions_[1]->moments(n),
-                early = solutions_[2]->moments(n);
-  return {estimate(fine.mean, coarse.mean, early.mean),
-          estimate(fine.variance, coarse.variance, early.variance)};
+  return moments_of(*solutions_, n);
 }
 
 std::optional<LargeFiniteLaw> LargeLaw::law(double n) const {
-  if (!solutions_.front()->has_law()) return std::nullopt;
-  std::vector<std::vector<double>> tails;
+  if (!solutions_->fine().has_law()) return std::nullopt;
+  std::array tails{solutions_->fine().tail(n), solutions_->coarse().tail(n), solutions_->early().tail(n)};
   std::size_t values = 0;
-  for (const auto& solution : solutions_) {
-    tails.push_back(solution->tail(n));
-    values = std::max(values, tails.back().size());
-  }
+  for (const auto& tail : tails) values = std::max(values, tail.size());
   for (auto& tail : tails) tail.resize(values + 1, 0.0);
   LargeFiniteLaw law{0, {}};
   for (std::size_t k = 0; k < values; ++k) {
     const auto probability = [&](std::size_t s) { return std::max(0.0, tails[s][k] - tails[s][k + 1]); };
-    Estimate p = estimate(probability(0), probability(1), probability(2));
-    // Differences of what is nearly 1 are rounding.
-    p.error += tails[0][k] > 0.5 ? rounding : 0;
-    if (p.value <= p.error && law.probabilities.empty()) continue;
+    Estimate p = Refined<Solution>::combined(probability(0), probability(1), probability(2));
+    if (tails[0][k] > 0.5) p.error += Refined<Solution>::rounding;  // a difference of what is nearly 1
     if (law.probabilities.empty()) law.first = static_cast<double>(k);
-    law.probabilities.push_back(p);
+    if (p.value > p.error || !law.probabilities.empty()) law.probabilities.push_back(p);
   }
   while (!law.probabilities.empty() && law.probabilities.back().value <= law.probabilities.back().error)
     law.probabilities.pop_back();
@@ -213,30 +168,6 @@ LargeMoments LargeMoments::mapped(AffineMap map) const {
   const double square = map.factor * map.factor;
   return {{map.factor * mean.value + map.shift, std::abs(map.factor) * mean.error},
           {square * variance.value, square * variance.error}};
-}
-
-Size large_law_table(const Model& model) {
-  const SplitFraction fraction = model.character().fraction;
-  const auto* constant = std::get_if<ConstantFraction>(&fraction);
-  if (constant == nullptr) return 2 * smallest_table;
-  const double needed = least_scatter / (constant->p * (1 - constant->p));
-  Size table = smallest_table;
-  while (static_cast<double>(table) < needed && table < largest_table) table *= 2;
-  return 2 * table;
-}
-
-bool has_large_laws(const Model& model) {
-  return CompressedRows::exist(model) && large_law_table(model) <= largest_table;
-}
-
-void require_large_laws(const Model& model) {
-  if (!CompressedRows::exist(model))
-    throw Error(fmt::format("laws of {} beyond its exact ones", model.text()),
-                "its splits are known at whole sizes alone", "take a smaller n");
-  if (large_law_table(model) > largest_table)
-    throw Error(fmt::format("laws of {} beyond its exact ones", model.text()),
-                "hardly anything goes to one side: exact laws would have to reach too far",
-                "take p nearer to 1/2, or a smaller n");
 }
 
 }  // namespace ramify

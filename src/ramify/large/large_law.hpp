@@ -5,16 +5,12 @@
 #include <vector>
 
 #include "ramify/core/cancellation.hpp"
+#include "ramify/large/large_reach.hpp"
+#include "ramify/large/refined.hpp"
 #include "ramify/law/statistic_law.hpp"
 #include "ramify/model/model.hpp"
 
 namespace ramify {
-
-/// A number and a bound of its absolute error, computed with it.
-struct Estimate {
-  double value;
-  double error;
-};
 
 /// Mean and variance at one size, with their errors.
 struct LargeMoments {
@@ -29,17 +25,11 @@ struct LargeFiniteLaw {
   std::vector<Estimate> probabilities;
 };
 
-/// The largest n of any law.
-inline constexpr double largest_law_size = 1e300;
-
 /// The law of one statistic of a split model at sizes from 4096 to 1e300: exact to 2048, then on a geometric
 /// grid of sizes (docs/theory/laws-at-every-size.md).
 ///
-/// It is computed three times: from the exact law to 2048 on a grid of step d, on one of step 2d, and so from
-/// the exact law to 1024. What the three answers differ by is the error that is reported, the first
-/// difference divided by 8 (the interpolation's error falls like d^8). d is halved until errors are below
-/// 1e-8 of max(1, value) or four times was not enough. Cost: some 0.1 s for an order to 1e9, 1 s for a
-/// height.
+/// Every number comes with its error (Refined); the grid is made finer until errors are below 1e-8 of max(1,
+/// value), if it can be. Cost: some 0.2 s for an order to 1e9, 1 s for a height.
 class LargeLaw {
  public:
   /// Throws Error where the model has no weights at real sizes, and Interrupted.
@@ -51,19 +41,16 @@ class LargeLaw {
   LargeLaw& operator=(LargeLaw&&) noexcept;
   ~LargeLaw();
 
-  /// Of an n above first_size(), at most the largest of the sizes.
+  /// Of an n from large_law_table(model) on, at most the largest of the sizes.
   LargeMoments moments(double n) const;
 
   /// Nothing of a sum.
   std::optional<LargeFiniteLaw> law(double n) const;
 
-  /// The smallest n it answers for.
-  double first_size() const;
-
-  class Solution;
-
  private:
-  std::vector<std::unique_ptr<Solution>> solutions_;  ///< fine, coarse, early seam
+  class Solution;
+  static LargeMoments moments_of(const Refined<Solution>& solutions, double n);
+  std::unique_ptr<Refined<Solution>> solutions_;
 };
 
 /// Throws Error where a model's laws end with its exact ones: of a file, or where an end of the range is out
