@@ -1,13 +1,16 @@
 // Every command of the program that README.md and docs/ show is run, as it stands.
+#include <algorithm>
+
 #include "program.hpp"
 #include <gtest/gtest.h>
 
 namespace ramify::test {
 namespace {
 
-std::vector<std::string> commands(const std::string& text) {
+/// The commands that a page shows.
+std::vector<std::string> commands_of(const std::string& page) {
   std::vector<std::string> found;
-  std::istringstream lines(text);
+  std::istringstream lines(read_file(std::filesystem::path(RAMIFY_SOURCE) / page));
   for (std::string line; std::getline(lines, line);)
     if (line.starts_with("    ramify ")) found.push_back(line.substr(11));
   return found;
@@ -26,19 +29,30 @@ void furnish(const Scratch& scratch) {
 std::vector<std::string> pages_with_commands() {
   const std::filesystem::path project(RAMIFY_SOURCE);
   std::vector<std::string> pages{"README.md"};
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(project / "docs"))
-    if (entry.path().extension() == ".md" && !commands(read_file(entry.path())).empty())
-      pages.push_back(std::filesystem::relative(entry.path(), project).string());
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(project / "docs")) {
+    const std::string page = std::filesystem::relative(entry.path(), project).string();
+    if (entry.path().extension() == ".md" && !commands_of(page).empty()) pages.push_back(page);
+  }
+  std::sort(pages.begin() + 1, pages.end());
   return pages;
+}
+
+/// The commands of a page that no page before it shows: some fit or run for seconds.
+std::vector<std::string> new_commands(const std::string& page) {
+  std::vector<std::string> found = commands_of(page);
+  for (const auto& before : pages_with_commands()) {
+    if (before == page) break;
+    for (const auto& command : commands_of(before)) std::erase(found, command);
+  }
+  return found;
 }
 
 class Page : public testing::TestWithParam<std::string> {};
 
-// Some fit or run for seconds.
 TEST_P(Page, ShowsCommandsThatRun) {
   const Scratch scratch;
   furnish(scratch);
-  for (const auto& command : commands(read_file(std::filesystem::path(RAMIFY_SOURCE) / GetParam()))) {
+  for (const auto& command : new_commands(GetParam())) {
     const Ran ran = shell("cd " + scratch.path().string() + " && " + RAMIFY_PROGRAM + " " + command);
     EXPECT_EQ(ran.code, 0) << command << '\n' << ran.err;
   }

@@ -15,8 +15,13 @@ statistics = ["size", "strahler", "height", "depth", "fill_level", "balance", "n
               "streams_mean_ratio", "nodes_regression", "streams_geometric"]
 )toml";
 
-std::string run_small(const Scratch& scratch, const std::string& out, const std::string& options) {
-  const std::string config = scratch.file("small.toml", small_config);
+constexpr const char* quick_config =
+    "models = [\"bst\", \"catalan\"]\nn = [10, 1000]\nreplicates = 20\nstatistics = [\"strahler\", "
+    "\"nodes\"]\n";
+
+std::string run_into(const Scratch& scratch, const std::string& text, const std::string& out,
+                     const std::string& options) {
+  const std::string config = scratch.file("small.toml", text);
   const Ran ran = ramify("run " + config + " --out " + (scratch / out).string() + " " + options);
   EXPECT_EQ(ran.code, 0) << ran.err;
   return (scratch / out / "small").string();
@@ -24,10 +29,10 @@ std::string run_small(const Scratch& scratch, const std::string& out, const std:
 
 TEST(Run, TablesAreTheSameBytesForOneTwoAndSevenThreads) {
   const Scratch scratch;
-  const std::string one = run_small(scratch, "one", "--threads 1");
+  const std::string one = run_into(scratch, small_config, "one", "--threads 1");
   for (const char* threads : {"2", "7"}) {
     const std::string other =
-        run_small(scratch, std::string("t") + threads, std::string("--threads ") + threads);
+        run_into(scratch, small_config, std::string("t") + threads, std::string("--threads ") + threads);
     for (const char* table : {"/summary.csv", "/orders.csv", "/histograms.csv"}) {
       const std::string expected = read_file(one + table);
       EXPECT_GT(expected.size(), 200u);
@@ -38,19 +43,19 @@ TEST(Run, TablesAreTheSameBytesForOneTwoAndSevenThreads) {
 
 TEST(Run, AnotherSeedGivesAnotherTable) {
   const Scratch scratch;
-  const std::string one = run_small(scratch, "one", "");
-  const std::string other = run_small(scratch, "two", "--seed 7");
+  const std::string one = run_into(scratch, quick_config, "one", "");
+  const std::string other = run_into(scratch, quick_config, "two", "--seed 7");
   EXPECT_NE(read_file(one + "/summary.csv"), read_file(other + "/summary.csv"));
 }
 
 TEST(Run, ProvenanceSaysHowTheTableWasMade) {
   const Scratch scratch;
-  const std::string folder = run_small(scratch, "one", "--threads 2");
+  const std::string folder = run_into(scratch, quick_config, "one", "--threads 2");
   const auto provenance = nlohmann::json::parse(read_file(folder + "/provenance.json"));
   EXPECT_EQ(provenance.at("status"), "complete");
   EXPECT_EQ(provenance.at("seed"), 1996);
   EXPECT_EQ(provenance.at("threads"), 2);
-  EXPECT_EQ(provenance.at("config_text"), small_config);
+  EXPECT_EQ(provenance.at("config_text"), quick_config);
   EXPECT_TRUE(provenance.contains("version") && provenance.contains("compiler") &&
               provenance.contains("duration_seconds"));
 }
@@ -68,12 +73,13 @@ TEST(Run, ProvenanceSaysWhatWasGrafted) {
 
 TEST(Run, IsSilentOnStandardErrorWhenPipedExceptForItsClosingLines) {
   const Scratch scratch;
-  const std::string config = scratch.file("small.toml", small_config);
+  const std::string config = scratch.file("small.toml", quick_config);
   const Ran ran = ramify("run " + config + " --out " + (scratch / "o").string());
   EXPECT_EQ(ran.err.find('\r'), std::string::npos) << "a progress line in a pipe";
 }
 
-// The one test of a signal: all that comes after it is tested in the library (tests/unit/run_stop_test.cpp).
+// The one test of a signal: all that comes after it is tested in the library
+// (tests/threads/run_stop_test.cpp).
 TEST(Run, StopsAtASignalAndSaysWhereTheCompleteCellsAre) {
   const Scratch scratch;
   const std::string config = scratch.file("slow.toml",

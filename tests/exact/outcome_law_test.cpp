@@ -9,6 +9,7 @@
 
 #include "support/definitions.hpp"
 #include "support/growing.hpp"
+#include "support/sanitized.hpp"
 #include "support/shape.hpp"
 #include <boost/multiprecision/cpp_int.hpp>
 #include <gtest/gtest.h>
@@ -135,8 +136,8 @@ struct RationalModel {
 
 class OutcomeLaw : public testing::TestWithParam<RationalModel> {};
 
-TEST_P(OutcomeLaw, IsThatOfAllTreesToSize10) {
-  constexpr Size largest = 10;
+TEST_P(OutcomeLaw, IsThatOfAllTrees) {
+  constexpr Size largest = test::sanitized ? 8 : 10;
   const auto laws = laws_of<EnumeratedFold>(Model::parse(GetParam().model), largest);
   for (Size n = 0; n <= largest; ++n) {
     const JointLaw truth = enumerate(n, GetParam().weight), law = joint_law(laws[n]);

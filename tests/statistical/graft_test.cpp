@@ -12,6 +12,7 @@
 #include "support/columns.hpp"
 #include "support/goodness.hpp"
 #include "support/growing.hpp"
+#include "support/sanitized.hpp"
 #include "support/seed.hpp"
 #include "support/split_table_file.hpp"
 #include "support/uninterrupted.hpp"
@@ -37,7 +38,7 @@ void sample(const Model& model, SamplingMethod method, Size n, std::uint64_t tre
   const auto sampler = make_tree_sampler({model, method, n, &test::uninterrupted});
   const StreamKey key{test::seed_of(tag), model.stream_cell(n)};
   TreeMeasures measures;
-  for (std::uint64_t replicate = 0; replicate < trees; ++replicate) {
+  for (std::uint64_t replicate = 0; replicate < test::replicates(trees); ++replicate) {
     sampler->sample(n, key, replicate, measures);
     look(measures);
   }
@@ -82,7 +83,7 @@ std::vector<std::uint64_t> counts_of(const test::Tally& tally, std::size_t value
   return counts;
 }
 
-constexpr Size grown_n = 1500;  // one statistic is grafted at 256, several at 16 and 12
+constexpr Size grown_n = 1024;  // one statistic is grafted at 256, several at 16 and 12
 constexpr std::uint64_t grown_trees = 10'000;
 
 void expect_singles_of_the_exact_law_and_of_whole_trees(const Model& model, const std::string& name) {
@@ -251,7 +252,7 @@ test::Tally grow_on(const std::string& text, const OrderTable* table, const std:
       [&]<class Law>(const Law& law) {
         const SplitTree<Law> grammar(law);
         Grower<SplitTree<Law>, HortonStrahler, Stream> grower(test::uninterrupted);
-        for (std::uint64_t replicate = 0; replicate < 40'000; ++replicate) {
+        for (std::uint64_t replicate = 0; replicate < test::replicates(40'000); ++replicate) {
           Stream stream({test::seed_of(tag), n}, replicate);
           HortonStrahler fold;
           const auto order = table == nullptr ? grower(grammar, n, stream, fold)

@@ -6,6 +6,7 @@
 
 #include "support/goodness.hpp"
 #include "support/reference_laws.hpp"
+#include "support/sanitized.hpp"
 #include "support/seed.hpp"
 #include "support/shape.hpp"
 #include "support/shape_counts.hpp"
@@ -136,7 +137,7 @@ TEST(Trie, HasTheOrdersOfPatriciaTrees) {
   const auto sampler = make_tree_sampler({trie, whole_trees(all_but_indices), strings, &test::uninterrupted});
   std::vector<std::uint64_t> orders(10, 0);
   TreeMeasures measures;
-  for (std::uint64_t replicate = 0; replicate < 20'000; ++replicate) {
+  for (std::uint64_t replicate = 0; replicate < test::replicates(20'000); ++replicate) {
     sampler->sample(strings, {test::seed_of("trie orders"), trie.stream_cell(strings)}, replicate, measures);
     ASSERT_EQ(measures.streams[0], strings);
     ++orders.at(measures.strahler);
@@ -174,7 +175,7 @@ TEST_P(GrownModels, HaveTheirKnownMeans) {
       make_tree_sampler({model, whole_trees(all_but_indices), known.n, &test::uninterrupted});
   test::SampleMean mean;
   TreeMeasures measures;
-  for (std::uint64_t replicate = 0; replicate < known.trees; ++replicate) {
+  for (std::uint64_t replicate = 0; replicate < test::replicates(known.trees); ++replicate) {
     sampler->sample(known.n, {test::seed_of("grown means"), model.stream_cell(known.n)}, replicate, measures);
     mean.add(known.value(measures));
   }

@@ -2,6 +2,7 @@
 #include <string>
 
 #include "support/goodness.hpp"
+#include "support/sanitized.hpp"
 #include "support/seed.hpp"
 #include <gtest/gtest.h>
 
@@ -21,7 +22,7 @@ test::SampleMean sampled_index(const StatisticColumn& column, const char* model)
   const StreamKey key{test::seed_of(column.name() + " of " + model), 0};
   test::SampleMean mean;
   TreeMeasures measures;
-  for (std::uint64_t replicate = 0; replicate < 4000; ++replicate) {
+  for (std::uint64_t replicate = 0; replicate < test::replicates(4000); ++replicate) {
     sampler->sample(index_n, key, replicate, measures);
     mean.add(column.real_value(measures));
   }

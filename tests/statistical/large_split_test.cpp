@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "support/goodness.hpp"
+#include "support/sanitized.hpp"
 #include "support/seed.hpp"
 #include <boost/math/special_functions/digamma.hpp>
 #include <fmt/format.h>
@@ -22,7 +23,7 @@
 namespace ramify {
 namespace {
 
-constexpr std::uint64_t draws = 200000;
+constexpr std::uint64_t draws = test::replicates(200'000);
 
 /// P(left < k), k <= n/2.
 using Below = std::function<double(Size n, Size k)>;

@@ -25,7 +25,7 @@ class ShapeLaw : public ::testing::TestWithParam<test::ModelCase> {
       const auto shapes = test::all_shapes(n);
       const auto grow = test::tree_source(model.model, {test::seed_of(model.model + tag), n}, table_size);
       const auto counts =
-          test::count_shapes(shapes, n >= controlled ? 100000 : 20000,
+          test::count_shapes(shapes, n == controlled ? 100000 : 20000,
                              [&](std::uint64_t replicate) { return to_parentheses(grow(n, replicate)); });
       const auto what = fmt::format("{}, shapes of n = {}, {}", model.model, n, tag);
       EXPECT_TRUE(test::agrees(test::chi_square(what, counts, test::shape_law(shapes, n, model.law))));

@@ -8,6 +8,7 @@
 
 #include "support/error_of.hpp"
 #include "support/goodness.hpp"
+#include "support/sanitized.hpp"
 #include "support/seed.hpp"
 #include "support/shape.hpp"
 #include "support/uninterrupted.hpp"
@@ -50,7 +51,7 @@ double most_expected(std::uint64_t trees) {
 }
 
 TEST(TreeComparison, RejectsTreesOfTheModelNoMoreThanItShould) {
-  constexpr std::uint64_t trees = 400;
+  constexpr std::uint64_t trees = test::replicates(400);
   for (const char* text : {"bst", "patricia(0.3)"})
     for (const auto& [name, count] : rejections(Model::parse(text), Model::parse(text), trees)) {
       std::printf("  %s, %s: p <= 0.05 in %g of %u\n", text, name.c_str(), count,

@@ -10,6 +10,7 @@
 
 #include "support/error_of.hpp"
 #include "support/goodness.hpp"
+#include "support/sanitized.hpp"
 #include "support/seed.hpp"
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -132,7 +133,7 @@ TEST(TrieZones, OfRandomCardinalitiesAreThoseOfRandomStrings) {
   constexpr Size n = 20;
   const auto of = [](double p, bool drawn, const char* tag) {
     test::Tally tally;
-    for (std::uint64_t replicate = 0; replicate < 4'000; ++replicate) {
+    for (std::uint64_t replicate = 0; replicate < test::replicates(4'000); ++replicate) {
       const StreamKey key{test::seed_of(tag), 0};
       Stream stream(key, replicate);
       RandomTrieStrings random(n, p, key, replicate);

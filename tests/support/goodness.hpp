@@ -25,7 +25,7 @@ struct Goodness {
 /// Passes where p >= alpha. Prints statistic, degrees of freedom and p either way.
 ::testing::AssertionResult agrees(const Goodness& goodness);
 
-/// Passes where p < alpha: the negative control.
+/// Passes where p < alpha: the negative control. Decides nothing under a sanitizer (sanitized.hpp).
 ::testing::AssertionResult rejected(const Goodness& goodness);
 
 /// Pearson's chi-square of counts against probabilities (scaled to sum 1). Neighbouring cells are pooled

@@ -2,6 +2,8 @@
 
 #include <variant>
 
+#include "support/sanitized.hpp"
+
 #include "ramify/tree/store.hpp"
 
 namespace ramify::test {
@@ -49,7 +51,7 @@ std::vector<std::uint64_t> count_splits(std::string_view model, Size n, std::uin
       [&]<class Law>(const Law& law) {
         const SplitTree<Law> grammar(law, table_size);
         Stream stream({seed, n}, 0);
-        for (std::uint64_t i = 0; i < draws; ++i) ++counts.at(grammar.children(n, stream)[0]);
+        for (std::uint64_t i = 0; i < replicates(draws); ++i) ++counts.at(grammar.children(n, stream)[0]);
       },
       Model::parse(model).law());
   return counts;

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "support/sanitized.hpp"
+
 #include "ramify/core/cancellation.hpp"
 #include "ramify/model/registry.hpp"
 #include "ramify/model/split_tree.hpp"
@@ -33,20 +35,20 @@ const std::vector<std::string>& all_models();
 using TreeSource = std::function<Tree(Size n, std::uint64_t replicate)>;
 TreeSource tree_source(std::string_view model, StreamKey key, Size table_size);
 
-/// How often each left size 0..n-1 came in so many draws of the split of a tree of size n.
+/// How often each left size 0..n-1 came in so many draws (sanitized.hpp) of the split of a tree of size n.
 std::vector<std::uint64_t> count_splits(std::string_view model, Size n, std::uint64_t draws,
                                         std::uint64_t seed, Size table_size);
 
-/// Grows trees of any split law, replicates 0, 1, ..., and hands over what was measured; the law need not be
-/// a registered model. look(measures) for each tree.
+/// Grows so many trees (sanitized.hpp) of any split law, replicates 0, 1, ..., and hands over what was
+/// measured; the law need not be a registered model. look(measures) for each tree.
 template <class Law, class Look>
-void grow_and_measure(const Law& law, Size n, std::uint64_t replicates, std::uint64_t seed, Look look) {
+void grow_and_measure(const Law& law, Size n, std::uint64_t trees, std::uint64_t seed, Look look) {
   using Everything = Joint<LastNodeDepth, Height, HortonStrahler, FillLevel, Balance>;
   const SplitTree<Law> grammar(law);
   const Cancellation never;
   const StreamKey key{seed, n};
   Grower<SplitTree<Law>, Everything, Stream> grower(never);
-  for (std::uint64_t replicate = 0; replicate < replicates; ++replicate) {
+  for (std::uint64_t replicate = 0; replicate < replicates(trees); ++replicate) {
     Stream stream(key, replicate);
     const RandomWalk walk(Stream(key, replicate, Lane::walk));
     Everything fold{LastNodeDepth(walk), Height(), HortonStrahler(), FillLevel(), Balance()};

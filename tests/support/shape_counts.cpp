@@ -3,6 +3,7 @@
 #include <map>
 
 #include "support/definitions.hpp"
+#include "support/sanitized.hpp"
 
 namespace ramify::test {
 namespace {
@@ -30,7 +31,8 @@ std::vector<std::uint64_t> count_shapes(const std::vector<Shape>& shapes, std::u
   std::map<std::string, std::size_t> place;
   for (const auto& shape : shapes) place.emplace(to_word(shape), place.size());
   std::vector<std::uint64_t> counts(shapes.size(), 0);
-  for (std::uint64_t replicate = 0; replicate < trees; ++replicate) ++counts[place.at(word_of(replicate))];
+  for (std::uint64_t replicate = 0; replicate < replicates(trees); ++replicate)
+    ++counts[place.at(word_of(replicate))];
   return counts;
 }
 

@@ -14,7 +14,8 @@ namespace ramify::test {
 /// nodes.
 std::vector<double> shape_law(const std::vector<Shape>& shapes, std::size_t n, const SplitPmf& split);
 
-/// How often each shape came in so many trees, replicates 0, 1, ...; word_of gives a tree's word.
+/// How often each shape came in so many trees (sanitized.hpp), replicates 0, 1, ...; word_of gives a tree's
+/// word.
 std::vector<std::uint64_t> count_shapes(const std::vector<Shape>& shapes, std::uint64_t trees,
                                         const std::function<std::string(std::uint64_t replicate)>& word_of);
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "support/sanitized.hpp"
 #include "support/seed.hpp"
 #include <fmt/format.h>
 
@@ -50,7 +51,7 @@ Goodness words_against(const std::string& text, Size n, const WordLaw& law, cons
   const Model model = Model::parse(text);
   const Cancellation never;
   std::map<std::string, std::uint64_t> seen;
-  for (std::uint64_t replicate = 0; replicate < 60'000; ++replicate) {
+  for (std::uint64_t replicate = 0; replicate < replicates(60'000); ++replicate) {
     Stream stream({seed_of("grown words"), model.stream_cell(n)}, replicate);
     ++seen[to_parentheses(model.grown().grow(n, stream, never))];
   }

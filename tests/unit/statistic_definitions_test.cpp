@@ -9,6 +9,7 @@
 
 #include "support/definitions.hpp"
 #include "support/goodness.hpp"
+#include "support/sanitized.hpp"
 #include "support/seed.hpp"
 #include "support/shape.hpp"
 #include <fmt/format.h>
@@ -199,7 +200,7 @@ TEST(ExternalDepth, FollowsItsLawOnStoredTrees) {
        {"(E(EE))", "((EE)((EE)E)(E(EE)E))", "((E(E(EE)))((E(EE))((E(EE))((EE)(E(E(EE)))))))"}) {
     const test::Shape shape = test::read_shape(word);
     std::vector<std::uint64_t> counts(16, 0);
-    for (int i = 0; i < 40000; ++i)
+    for (std::uint64_t i = 0; i < test::replicates(40'000); ++i)
       ++counts.at(static_cast<std::size_t>(measured(shape, replicate++).at("external_depth")));
     std::vector<double> probabilities(16, 0.0), edges(16, 0.0);
     for (const auto& [depth, p] : test::external_depth_law(shape))

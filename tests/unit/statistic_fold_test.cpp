@@ -4,6 +4,7 @@
 
 #include "support/definitions.hpp"
 #include "support/goodness.hpp"
+#include "support/sanitized.hpp"
 #include "support/seed.hpp"
 #include "support/shape.hpp"
 #include <gtest/gtest.h>
@@ -179,7 +180,7 @@ TEST(LastNodeDepth, FollowsItsLawOnStoredTrees) {
     const Tree tree = from_parentheses(word);
     const auto law = test::last_node_depth_law(test::read_shape(word));
     std::vector<std::uint64_t> counts(16, 0);
-    for (int i = 0; i < 40000; ++i) {
+    for (std::uint64_t i = 0; i < test::replicates(40'000); ++i) {
       LastNodeDepth fold{RandomWalk(Stream({test::seed_of("walks"), 0}, replicate++, Lane::walk))};
       ++counts.at(measure(tree, fold));
     }

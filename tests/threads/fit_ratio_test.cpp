@@ -29,14 +29,6 @@ RatioDatum datum_of(const std::string& row) {
   return parse_ratio_data("name,ratio,branches\n" + row + "\n", "x.csv")[0];
 }
 
-/// The apple is fitted once for all tests.
-const std::vector<FitRow>& apple() {
-  static const Cancellation cancellation;
-  static const std::vector<FitRow> rows =
-      fit_ratio(datum_of("apple,4.35,579"), options(400'000), cancellation);
-  return rows;
-}
-
 const FitRow& row_of(const std::vector<FitRow>& rows, std::string_view parameter, std::size_t solution) {
   for (const FitRow& row : rows) {
     if (row.parameter == parameter && row.solution == solution) return row;
@@ -53,8 +45,8 @@ ResponsePoint fresh(double p, std::uint64_t trees) {
   return surface.sample(std::span(&request, 1)).front();
 }
 
-TEST(FitRatio, TheRuleFallsShort) {
-  const FitRow& rule = row_of(apple(), "p_rule", 0);
+void expect_the_rule_falls_short(const std::vector<FitRow>& apple) {
+  const FitRow& rule = row_of(apple, "p_rule", 0);
   EXPECT_DOUBLE_EQ(rule.estimate, 1 / 4.35);
   // 20,000 trees of another program: 3.606.
   EXPECT_NEAR(rule.expected_at_rule, 3.606,
@@ -63,8 +55,8 @@ TEST(FitRatio, TheRuleFallsShort) {
   EXPECT_NE(rule.note.find("outside"), std::string::npos);
 }
 
-TEST(FitRatio, OneSolutionForTheStreamsMeanRatio) {
-  const FitRow& fit = row_of(apple(), "p", 1);
+void expect_one_solution_for_the_streams_mean_ratio(const std::vector<FitRow>& apple) {
+  const FitRow& fit = row_of(apple, "p", 1);
   EXPECT_EQ(fit.solutions, 1u);
   EXPECT_EQ(fit.status, FitStatus::converged);
   EXPECT_EQ(fit.estimator, "streams_mean_ratio");
@@ -77,8 +69,8 @@ TEST(FitRatio, OneSolutionForTheStreamsMeanRatio) {
   EXPECT_LT(fit.upper, 1 / 4.35);
 }
 
-TEST(FitRatio, FreshTreesOfTheFittedPHaveTheMeasuredRatio) {
-  const FitRow& fit = row_of(apple(), "p", 1);
+void expect_the_measured_ratio_of_fresh_trees(const std::vector<FitRow>& apple) {
+  const FitRow& fit = row_of(apple, "p", 1);
   const auto estimator = RatioEstimator::streams_mean_ratio;
   const ResponsePoint at_fit = fresh(fit.estimate, 4000);
   // dR/dp is about -40 there.
@@ -90,15 +82,35 @@ TEST(FitRatio, FreshTreesOfTheFittedPHaveTheMeasuredRatio) {
   EXPECT_GT(std::abs(at_rule[estimator].mean - 4.35), 10 * error);
 }
 
-TEST(FitRatio, OtherEstimatorsNeedOtherP) {
-  EXPECT_NEAR(row_of(apple(), "p_streams_regression", 1).estimate, 0.158, 0.003);
-  EXPECT_EQ(row_of(apple(), "p_streams_regression", 1).solutions, 1u);
+void expect_other_p_of_other_estimators(const std::vector<FitRow>& apple) {
+  EXPECT_NEAR(row_of(apple, "p_streams_regression", 1).estimate, 0.158, 0.003);
+  EXPECT_EQ(row_of(apple, "p_streams_regression", 1).solutions, 1u);
   // The nodes mean ratio rises to 4.86 near p = 0.073 and falls again: 4.35 on both sides.
-  EXPECT_EQ(row_of(apple(), "p_nodes_mean_ratio", 2).solutions, 2u);
-  EXPECT_NEAR(row_of(apple(), "p_nodes_mean_ratio", 1).estimate, 0.059, 0.003);
-  EXPECT_NEAR(row_of(apple(), "p_nodes_mean_ratio", 2).estimate, 0.080, 0.003);
-  EXPECT_EQ(row_of(apple(), "p_nodes_regression", 0).status, FitStatus::no_solution);
-  EXPECT_FALSE(any_not_converged(apple()));
+  EXPECT_EQ(row_of(apple, "p_nodes_mean_ratio", 2).solutions, 2u);
+  EXPECT_NEAR(row_of(apple, "p_nodes_mean_ratio", 1).estimate, 0.059, 0.003);
+  EXPECT_NEAR(row_of(apple, "p_nodes_mean_ratio", 2).estimate, 0.080, 0.003);
+  EXPECT_EQ(row_of(apple, "p_nodes_regression", 0).status, FitStatus::no_solution);
+  EXPECT_FALSE(any_not_converged(apple));
+}
+
+void expect_the_contract_of_the_table(const std::vector<FitRow>& apple) {
+  const std::string text = write_csv(fit_table(apple));
+  EXPECT_TRUE(text.starts_with(
+      "data,model,parameter,estimate,standard_error,lower,upper,n,n_source,estimator,observed,"));
+  EXPECT_NE(text.find("\napple,patricia,p_rule,0.229885,,,,579,printed,streams_mean_ratio,4.35,"),
+            std::string::npos);
+  EXPECT_NE(fit_text(apple).find("apple: R 4.35, n 579 (printed)"), std::string::npos);
+}
+
+// One test: each test is a process of its own, and the fit takes seconds.
+TEST(FitRatio, OfTheApple) {
+  const Cancellation cancellation;
+  const auto apple = fit_ratio(datum_of("apple,4.35,579"), options(400'000), cancellation);
+  expect_the_rule_falls_short(apple);
+  expect_one_solution_for_the_streams_mean_ratio(apple);
+  expect_the_measured_ratio_of_fresh_trees(apple);
+  expect_other_p_of_other_estimators(apple);
+  expect_the_contract_of_the_table(apple);
 }
 
 TEST(FitRatio, NodesMeanRatioIsNotMonotone) {
@@ -200,15 +212,6 @@ TEST(FitRatio, StopsWhenAsked) {
   Cancellation cancellation;
   cancellation.request();
   EXPECT_THROW(fit_ratio(datum_of("a,3,100"), options(1000), cancellation), Interrupted);
-}
-
-TEST(FitRatio, TableKeepsItsContract) {
-  const std::string text = write_csv(fit_table(apple()));
-  EXPECT_TRUE(text.starts_with(
-      "data,model,parameter,estimate,standard_error,lower,upper,n,n_source,estimator,observed,"));
-  EXPECT_NE(text.find("\napple,patricia,p_rule,0.229885,,,,579,printed,streams_mean_ratio,4.35,"),
-            std::string::npos);
-  EXPECT_NE(fit_text(apple()).find("apple: R 4.35, n 579 (printed)"), std::string::npos);
 }
 
 }  // namespace
