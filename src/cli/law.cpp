@@ -15,7 +15,7 @@ namespace {
 
 struct LawArguments {
   std::string model, n, statistic, output;
-  bool moments = false, covariances = false, yes = false;
+  bool moments = false, covariances = false, yes = false, exact = false;
 
   LawQuantity quantity() const {
     if (moments) return LawQuantity::moments;
@@ -25,7 +25,7 @@ struct LawArguments {
 
 ExitCode law(const LawArguments& options, const Cancellation& cancellation) {
   const LawRequest request{Model::parse(options.model), LawSubject::parse(options.statistic),
-                           options.quantity(), read_sizes("--n", options.n)};
+                           options.quantity(), read_law_sizes("--n", options.n), options.exact};
   const double seconds = options.yes ? std::numeric_limits<double>::infinity() : long_law_seconds;
   require_computable(request, {physical_memory(), seconds});
   emit(law_table(request, cancellation), options.output);
@@ -40,7 +40,8 @@ void add_law(Program& program) {
       "law", "Exact law of a statistic at finite n, computed without sampling: probabilities right to 1e-15");
   verb.option("--model", options->model, "model, such as bst or \"beta(10,80)\"; see: ramify list models",
               Need::required);
-  verb.option("--n", options->n, "sizes: N[,N..], or from:to:count, a geometric grid", Need::required);
+  verb.option("--n", options->n, "sizes to 1e300: N[,N..], or from:to:count, a geometric grid",
+              Need::required);
   verb.option("--statistic", options->statistic,
               fmt::format("{}: mean nodes and streams by order; with --moments also {}",
                           fmt::join(law_subjects(), ", "), fmt::join(moment_subjects(), ", ")),
@@ -48,6 +49,9 @@ void add_law(Program& program) {
   const DeclaredOption moments = verb.flag(
       "--moments", options->moments, "mean and variance; of orders: of the nodes and streams of every order");
   Verb::exclude(moments, verb.flag("--covariances", options->covariances, "of orders: of every two counts"));
+  verb.flag("--exact", options->exact,
+            "by the recurrence over all sizes, however large; else on a grid of sizes where that takes more "
+            "than a second");
   verb.flag("--yes", options->yes, "allow more than an hour");
   verb.option("-o,--output", options->output, "write the table to this file, in one step");
   verb.example("Example: ramify law --model \"patricia(1/4.35)\" --n 579 --statistic strahler");

@@ -14,4 +14,7 @@ namespace ramify {
 /// @param what  names the option in the message: "--n"
 std::vector<Size> read_sizes(std::string_view what, std::string_view text);
 
+/// The sizes of a law, in the same words, to 1e300: real numbers, whole ones below 2^53. Throws Error.
+std::vector<double> read_law_sizes(std::string_view what, std::string_view text);
+
 }  // namespace ramify

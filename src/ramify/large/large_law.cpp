@@ -164,6 +164,11 @@ std::optional<LargeFiniteLaw> LargeLaw::law(double n) const {
   return law;
 }
 
+LargeFiniteLaw LargeFiniteLaw::mapped(AffineMap map) const {
+  RAMIFY_EXPECTS(map.factor == 1);
+  return {first + map.shift, probabilities};
+}
+
 LargeMoments LargeMoments::mapped(AffineMap map) const {
   const double square = map.factor * map.factor;
   return {{map.factor * mean.value + map.shift, std::abs(map.factor) * mean.error},

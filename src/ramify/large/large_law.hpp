@@ -23,6 +23,9 @@ struct LargeMoments {
 struct LargeFiniteLaw {
   double first;
   std::vector<Estimate> probabilities;
+
+  /// @param map  a shift alone: values stay one apart
+  LargeFiniteLaw mapped(AffineMap map) const;
 };
 
 /// The law of one statistic of a split model at sizes from 4096 to 1e300: exact to 2048, then on a geometric

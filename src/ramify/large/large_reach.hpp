@@ -7,9 +7,6 @@
 
 namespace ramify {
 
-/// The largest n of any law.
-inline constexpr double largest_law_size = 1e300;
-
 /// Nothing where a model's laws go beyond the exact ones; else why they end: "its splits are known at whole
 /// sizes alone".
 std::string no_large_laws(const Model& model);

@@ -48,13 +48,13 @@ Moments ExactMeans::of_recurrence(const StatisticColumn& column, Size n) const {
 std::optional<Moments> ExactMeans::moments(const StatisticColumn& column, Size n) const {
   const ExactLaw& law = column.statistic->law;
   if (n > largest_n_ || known_of(law.recurrence) == Known::nothing) return std::nullopt;
-  return of_recurrence(column, n).mapped(law.map(n));
+  return of_recurrence(column, n).mapped(law.map(static_cast<double>(n)));
 }
 
 std::optional<FiniteLaw> ExactMeans::law(const StatisticColumn& column, Size n) const {
   const ExactLaw& law = column.statistic->law;
   if (n > largest_n_ || known_of(law.recurrence) != Known::law) return std::nullopt;
-  return computed(law.recurrence, n).law(n)->mapped(law.map(n));
+  return computed(law.recurrence, n).law(n)->mapped(law.map(static_cast<double>(n)));
 }
 
 }  // namespace ramify

@@ -10,7 +10,11 @@
 
 namespace ramify {
 
-// How the exact law of a statistic of split trees follows from size to size, as data: law/ computes it.
+// How the exact law of a statistic of split trees follows from size to size, as data: law/ computes it, large/ beyond some
+// thousand nodes.
+
+/// The largest n of any law.
+inline constexpr double largest_law_size = 1e300;
 
 /// Nothing random: n + more.
 struct KnownBySize {
@@ -79,7 +83,7 @@ struct AffineMap {
 /// The exact law of a statistic X: that of Y by a recurrence, and how X comes from Y at size n.
 struct ExactLaw {
   Recurrence recurrence = {};  // NOLINT(readability-redundant-member-init): -Wextra wants it
-  AffineMap (*map)(Size n) = [](Size) { return AffineMap(); };
+  AffineMap (*map)(double n) = [](double) { return AffineMap(); };
 };
 
 }  // namespace ramify

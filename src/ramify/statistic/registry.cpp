@@ -114,7 +114,7 @@ constexpr StatisticInfo as_order(StatisticInfo row) {
   return row;
 }
 
-constexpr AffineMap one_more(Size) {
+constexpr AffineMap one_more(double) {
   return {1, 1};
 }
 

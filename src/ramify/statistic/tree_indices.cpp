@@ -108,11 +108,11 @@ StatisticValue width_over_depth(const TreeMeasures& m, OrderPlace) {
 
 // ---- rows ----
 
-constexpr AffineMap over_leaves(Size n) {
-  return {1 / static_cast<double>(n + 1), 0};
+constexpr AffineMap over_leaves(double n) {
+  return {1 / (n + 1), 0};
 }
-constexpr AffineMap over_nodes(Size n) {
-  return {1 / static_cast<double>(n), 0};
+constexpr AffineMap over_nodes(double n) {
+  return {1 / n, 0};
 }
 
 /// A real number, one column.

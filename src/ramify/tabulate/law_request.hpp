@@ -30,9 +30,15 @@ struct LawRequest {
   Model model;
   LawSubject subject;
   LawQuantity quantity;
-  std::vector<Size> sizes;  ///< one or more
+  std::vector<double> sizes;  ///< one or more, to largest_law_size
+  bool exact = false;         ///< by the recurrence over all sizes, however long it takes
 
-  Size largest_size() const;
+  /// Up to here laws are computed by the recurrence over all sizes, beyond on a grid of sizes: where the
+  /// recurrence takes a second; infinite where `exact` is asked for, or the model has no other laws.
+  double exact_to() const;
+  /// The sizes to exact_to, and those beyond.
+  std::vector<Size> exact_sizes() const;
+  std::vector<double> large_sizes() const;
 
   /// Throws Error for the law of a sum, of which only moments are computed, and for covariances of anything
   /// but orders.
@@ -49,7 +55,8 @@ std::vector<std::string> moment_subjects();
 inline constexpr double long_law_seconds = 3600;
 
 /// Throws Error where the request has no answer, where a size is above the model's largest, and where the law
-/// would cost more than the limit, as far as law_cost can tell; the message says what would fit. O(1).
+/// would cost more than the limit, as far as law_cost and large_law_seconds can tell; the message says what
+/// would fit. O(1).
 void require_computable(const LawRequest& request, const LawCost& limit);
 
 }  // namespace ramify

@@ -1,54 +1,142 @@
 #include "ramify/tabulate/law_table.hpp"
 
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "ramify/large/large_law.hpp"
+#include "ramify/large/large_orders.hpp"
 #include "ramify/law/build_law.hpp"
 #include "ramify/law/order_moments.hpp"
-#include "ramify/law/statistic_law.hpp"
 #include "ramify/statistic/horton_strahler.hpp"
 #include "ramify/statistic/statistic_set.hpp"
 
 namespace ramify {
 namespace {
 
-Row row_of(const LawRequest& request, Size n) {
-  Row row;
-  row.text(request.model.text()).whole(n);
-  return row;
-}
+constexpr double exact = std::numeric_limits<double>::quiet_NaN();  // an error that is left empty
 
-Table moments_table() {
-  return Table({"model", "n", "statistic", "mean", "variance"});
-}
+/// The table of a request: with columns for errors where some of its sizes lie beyond the exact laws.
+class LawTable {
+ public:
+  LawTable(const LawRequest& request, std::vector<std::string> columns, std::vector<std::string> errors)
+      : request_(&request), has_errors_(!request.large_sizes().empty()), table_(with(columns, errors)) {}
 
-Table value_table(const LawRequest& request, const StatisticLaw& law) {
-  const StatisticInfo& statistic = *request.subject.statistics.front();
-  if (request.quantity == LawQuantity::moments) {
-    Table table = moments_table();
-    for (const Size n : request.sizes) {
-      const auto [mean, variance] = law.moments(n).mapped(statistic.law.map(n));
-      table.add(row_of(request, n).text(statistic.name).exact(mean).exact(variance));
-    }
-    return table;
+  Row row(double n) const {
+    Row row;
+    row.text(request_->model.text());
+    return n < 0x1p63 ? row.whole(static_cast<Size>(n)) : row.exact(n);
   }
-  Table table({"model", "n", "statistic", "value", "probability"});
-  for (const Size n : request.sizes) {
-    const FiniteLaw values = law.law(n)->mapped(statistic.law.map(n));
+
+  void add(Row row, std::initializer_list<double> errors) {
+    for (const double error : errors)
+      if (has_errors_) row.significant(error, 2);
+    table_.add(std::move(row));
+  }
+
+  Table finished() { return std::move(table_); }
+
+ private:
+  std::vector<std::string> with(std::vector<std::string> columns,
+                                const std::vector<std::string>& errors) const {
+    if (has_errors_) columns.insert(columns.end(), errors.begin(), errors.end());
+    return columns;
+  }
+
+  const LawRequest* request_;
+  bool has_errors_;
+  Table table_;
+};
+
+/// One statistic at the sizes of a request, on either side of the seam.
+class ValueLaws {
+ public:
+  ValueLaws(const LawRequest& request, const Cancellation& cancellation)
+      : map_(request.subject.statistics.front()->law.map), exact_to_(request.exact_to()) {
+    const Recurrence& recurrence = request.subject.statistics.front()->law.recurrence;
+    if (const auto sizes = request.exact_sizes(); !sizes.empty()) {
+      const Size largest = *std::ranges::max_element(sizes);
+      exact_.emplace(build_law(request.model, largest, StatisticLaw(recurrence, largest), cancellation));
+    }
+    if (const auto sizes = request.large_sizes(); !sizes.empty())
+      large_.emplace(request.model, recurrence, sizes, cancellation);
+  }
+
+  LargeMoments moments(double n) const {
+    if (n > exact_to_) return large_->moments(n).mapped(map_(n));
+    const Moments moments = exact_->moments(static_cast<Size>(n)).mapped(map_(n));
+    return {{moments.mean, exact}, {moments.variance, exact}};
+  }
+
+  LargeFiniteLaw law(double n) const {
+    if (n > exact_to_) return large_->law(n)->mapped(map_(n));
+    const FiniteLaw law = exact_->law(static_cast<Size>(n))->mapped(map_(n));
+    LargeFiniteLaw answer{law.first, {}};
+    for (const double p : law.probabilities) answer.probabilities.push_back({p, exact});
+    return answer;
+  }
+
+ private:
+  AffineMap (*map_)(double n);
+  double exact_to_;
+  std::optional<StatisticLaw> exact_;
+  std::optional<LargeLaw> large_;
+};
+
+Table value_moments_table(const LawRequest& request, const ValueLaws& laws) {
+  LawTable table(request, {"model", "n", "statistic", "mean", "variance"}, {"error", "variance_error"});
+  for (const double n : request.sizes) {
+    const auto [mean, variance] = laws.moments(n);
+    table.add(table.row(n).text(request.subject.name()).exact(mean.value).exact(variance.value),
+              {mean.error, variance.error});
+  }
+  return table.finished();
+}
+
+Table value_table(const LawRequest& request, const ValueLaws& laws) {
+  LawTable table(request, {"model", "n", "statistic", "value", "probability"}, {"error"});
+  for (const double n : request.sizes) {
+    const LargeFiniteLaw values = laws.law(n);
     auto value = static_cast<Size>(values.first);
-    for (const double probability : values.probabilities) {
-      if (probability > 0) table.add(row_of(request, n).text(statistic.name).whole(value).exact(probability));
+    for (const Estimate& p : values.probabilities) {
+      if (p.value > 0)
+        table.add(table.row(n).text(request.subject.name()).whole(value).exact(p.value), {p.error});
       ++value;
     }
   }
-  return table;
+  return table.finished();
 }
 
-Table mean_counts_table(const LawRequest& request, const OrderMeans& law) {
-  Table table({"model", "n", "leaf_order", "order", "mean_nodes", "mean_streams"});
-  for (const Size n : request.sizes) {
-    const auto nodes = law.nodes(n), streams = law.streams(n);
-    for (std::size_t k = 0; k <= HortonStrahler::largest_order(n); ++k)
-      table.add(row_of(request, n).whole(0).whole(k).exact(nodes[k]).exact(streams[k]));
+OrderMeans exact_means(const LawRequest& request, const std::vector<Size>& sizes,
+                       const Cancellation& cancellation) {
+  const Size largest = *std::ranges::max_element(sizes);
+  return build_law(request.model, largest, OrderMeans(largest), cancellation);
+}
+
+Table mean_counts_table(const LawRequest& request, const Cancellation& cancellation) {
+  LawTable table(request, {"model", "n", "leaf_order", "order", "mean_nodes", "mean_streams"}, {"error"});
+  std::optional<OrderMeans> law;
+  if (const auto sizes = request.exact_sizes(); !sizes.empty())
+    law.emplace(exact_means(request, sizes, cancellation));
+  std::optional<LargeOrders> large;
+  if (const auto sizes = request.large_sizes(); !sizes.empty())
+    large.emplace(request.model, sizes, cancellation);
+  const auto means = [&](double n, OrderCount::Of of) {
+    if (n > request.exact_to()) return large->means(n, of);
+    std::vector<Estimate> means;
+    for (const double mean :
+         of == OrderCount::Of::nodes ? law->nodes(static_cast<Size>(n)) : law->streams(static_cast<Size>(n)))
+      means.push_back({mean, exact});
+    means.resize(HortonStrahler::largest_order(static_cast<Size>(n)) + 1, {0, exact});
+    return means;
+  };
+  for (const double n : request.sizes) {
+    const auto nodes = means(n, OrderCount::Of::nodes), streams = means(n, OrderCount::Of::streams);
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+      table.add(table.row(n).whole(0).whole(k).exact(nodes[k].value).exact(streams[k].value),
+                {std::fmax(nodes[k].error, streams[k].error)});
   }
-  return table;
+  return table.finished();
 }
 
 /// The counts of the orders that a tree of size n can have: nodes, then streams.
@@ -61,44 +149,48 @@ OrderCount count_of(const StatisticColumn& column) {
 }
 
 Table count_moments_table(const LawRequest& request, const OrderMoments& law) {
-  Table table = moments_table();
-  for (const Size n : request.sizes)
+  LawTable table(request, {"model", "n", "statistic", "mean", "variance"}, {});
+  for (const Size n : request.exact_sizes())
     for (const StatisticColumn& column : columns_of(request, n)) {
       const OrderCount count = count_of(column);
-      table.add(
-          row_of(request, n).text(column.name()).exact(law.mean(n, count)).exact(law.variance(n, count)));
+      table.add(table.row(static_cast<double>(n))
+                    .text(column.name())
+                    .exact(law.mean(n, count))
+                    .exact(law.variance(n, count)),
+                {});
     }
-  return table;
+  return table.finished();
 }
 
 Table covariance_table(const LawRequest& request, const OrderMoments& law) {
-  Table table({"model", "n", "leaf_order", "first", "second", "covariance"});
-  for (const Size n : request.sizes) {
+  LawTable table(request, {"model", "n", "leaf_order", "first", "second", "covariance"}, {});
+  for (const Size n : request.exact_sizes()) {
     const auto columns = columns_of(request, n);
     for (auto first = columns.begin(); first != columns.end(); ++first)
       for (auto second = first; second != columns.end(); ++second)
-        table.add(row_of(request, n)
+        table.add(table.row(static_cast<double>(n))
                       .whole(0)
                       .text(first->name())
                       .text(second->name())
-                      .exact(law.covariance(n, count_of(*first), count_of(*second))));
+                      .exact(law.covariance(n, count_of(*first), count_of(*second))),
+                  {});
   }
-  return table;
+  return table.finished();
 }
 
 }  // namespace
 
 Table law_table(const LawRequest& request, const Cancellation& cancellation) {
   const LawWork work = request.work();
-  const Size largest = request.largest_size();
-  const auto build = [&](auto law) {
-    return build_law(request.model, largest, std::move(law), cancellation);
-  };
-  if (!std::holds_alternative<CountOfOrder>(work.recurrence))
-    return value_table(request, build(StatisticLaw(work.recurrence, largest)));
-  const OrderMeans means = build(OrderMeans(largest));
-  if (work.means_alone) return mean_counts_table(request, means);
-  const OrderMoments moments = build(OrderMoments(means, largest));
+  if (!std::holds_alternative<CountOfOrder>(work.recurrence)) {
+    const ValueLaws laws(request, cancellation);
+    return request.quantity == LawQuantity::moments ? value_moments_table(request, laws)
+                                                    : value_table(request, laws);
+  }
+  if (work.means_alone) return mean_counts_table(request, cancellation);
+  const OrderMeans means = exact_means(request, request.exact_sizes(), cancellation);
+  const Size largest = means.sizes() - 1;
+  const OrderMoments moments = build_law(request.model, largest, OrderMoments(means, largest), cancellation);
   return request.quantity == LawQuantity::moments ? count_moments_table(request, moments)
                                                   : covariance_table(request, moments);
 }
