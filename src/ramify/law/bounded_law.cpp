@@ -9,7 +9,7 @@
 namespace ramify {
 namespace {
 
-constexpr double negligible = 1e-30;
+constexpr double negligible = 1e-40;
 
 }  // namespace
 
