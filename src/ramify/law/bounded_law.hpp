@@ -30,7 +30,8 @@ class BoundedLaw {
   /// Adds the size row.n == sizes() <= largest_n.
   void extend(const SplitRow& row);
 
-  /// P(V = k), k = 0..K, K = floor(log2(largest_n + 1)), of a tree of size n < sizes().
+  /// P(V = k), k = 0..K, K = floor(log2(largest_n + 1)), of a tree of size n < sizes(); 0 for one below
+  /// 1e-30.
   std::vector<double> pmf(Size n) const;
 
   /// The value of pmf(n)'s first entry.
