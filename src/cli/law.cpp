@@ -36,8 +36,9 @@ ExitCode law(const LawArguments& options, const Cancellation& cancellation) {
 
 void add_law(Program& program) {
   auto options = std::make_shared<LawArguments>();
-  Verb verb = program.verb(
-      "law", "Exact law of a statistic at finite n, computed without sampling: probabilities right to 1e-15");
+  Verb verb = program.verb("law",
+                           "Exact law of a statistic at finite n, computed without sampling: probabilities "
+                           "right to 1e-15, of height and strahler to 12 digits from 1e-20 up");
   verb.option("--model", options->model, "model, such as bst or \"beta(10,80)\"; see: ramify list models",
               Need::required);
   verb.option("--n", options->n, "sizes to 1e300: N[,N..], or from:to:count, a geometric grid",

@@ -9,7 +9,8 @@
 namespace ramify {
 namespace {
 
-constexpr double negligible = 1e-30;
+constexpr double negligible = 1e-40;
+constexpr double reported = 1e-30;
 
 }  // namespace
 
@@ -66,7 +67,7 @@ void BoundedLaw::append(const std::vector<double>& weights) {
 
 std::vector<double> BoundedLaw::pmf(Size n) const {
   std::vector<double> probabilities;
-  for (std::ptrdiff_t k = 0; k <= top_; ++k) probabilities.push_back(at(n, k));
+  for (std::ptrdiff_t k = 0; k <= top_; ++k) probabilities.push_back(at(n, k) < reported ? 0 : at(n, k));
   return probabilities;
 }
 

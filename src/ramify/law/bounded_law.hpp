@@ -15,7 +15,8 @@ namespace ramify {
 /// distributions.
 ///
 /// Sums of products of probabilities: nothing is subtracted. Rows are rescaled to sum 1, so rounding does not
-/// grow with n; probabilities below 1e-30 are taken for 0. Absolute error of a probability about 1e-15.
+/// grow with n; probabilities below 1e-40 are taken for 0, so that those above 1e-20 keep a relative accuracy
+/// of 1e-13, as long as the rows of the splits have it.
 /// Memory O(n log n). Time O(n^2 w), w the number of values that have a probability at one size: 3 or 4; a
 /// vectorised half nanosecond a step.
 class BoundedLaw {
@@ -29,7 +30,8 @@ class BoundedLaw {
   /// Adds the size row.n == sizes() <= largest_n.
   void extend(const SplitRow& row);
 
-  /// P(V = k), k = 0..K, K = floor(log2(largest_n + 1)), of a tree of size n < sizes().
+  /// P(V = k), k = 0..K, K = floor(log2(largest_n + 1)), of a tree of size n < sizes(); 0 for one below
+  /// 1e-30.
   std::vector<double> pmf(Size n) const;
 
   /// The value of pmf(n)'s first entry.

@@ -15,8 +15,8 @@ double row_entries(const SplitFraction& fraction, double n) {
   if (splits_in_one_way(fraction)) return n * 25;
   const auto* constant = std::get_if<ConstantFraction>(&fraction);
   if (constant == nullptr) return n * n / 4 + n;
-  // A binomial law is above 1e-18 over 18 standard deviations, a row at most half as long as its size.
-  const double longest = std::min(n / 2, 18 * std::sqrt(n * constant->p * (1 - constant->p)));
+  // A binomial law is above 1e-30 over 23 standard deviations, a row at most half as long as its size.
+  const double longest = std::min(n / 2, 23 * std::sqrt(n * constant->p * (1 - constant->p)));
   return n * (1 + 2 * longest / 3);
 }
 

@@ -12,9 +12,9 @@ namespace {
 using boost::math::lgamma;  // std::lgamma writes to a global
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double log_negligible = 46;  // -log 1e-20
+constexpr double negligible_depth = 46;   // -log 1e-20
+constexpr double negligible_height = 81;  // -log 1e-35
 constexpr double spread = 10;  // values by which whole sizes widen what a constant fraction would give
-constexpr double catalan_reach = 13.6;  // 2 sqrt(46)
 
 /// log(x + y).
 double log_sum(double log_x, double log_y) {
@@ -83,17 +83,17 @@ double reach(const Fraction& x, double log_n, double decay, double more) {
 
 double depths(const Fraction& x, double n) {
   const double log_n = x.log_steps(n);
-  const double high = std::min(n, reach(x, log_n, log_negligible, 0));
+  const double high = std::min(n, reach(x, log_n, negligible_depth, 0));
   const double low = -least([&](double u) {
     const double rise = u < 1 + x.pole() ? x.log_moment(1 - u) : 0;
-    return rise > 0 ? (log_negligible - u * log_n) / rise : 0;
+    return rise > 0 ? (negligible_depth - u * log_n) / rise : 0;
   });
   return high - std::max(0.0, low);
 }
 
 double heights(const Fraction& x, double n) {
   const double log_n = x.log_steps(n);
-  const double high = std::min(n, reach(x, log_n, log_negligible, 1));
+  const double high = std::min(n, reach(x, log_n, negligible_height, 1));
   // Trees that are nearly chains have low heights too.
   const double low = std::min(n / 3, 0.8 * reach(x, log_n, 0, 1));
   return high - low;
@@ -102,18 +102,18 @@ double heights(const Fraction& x, double n) {
 /// Of depths and of heights alike where they grow like n^e, and where, at e = 0, they grow like log^2 n; no
 /// less than where they grow like log n but no side is without a leaf. Fitted to laws of aldous at n =
 /// 250..1000; at e = 1 all nodes are on one path.
-double deep_width(double e, double n) {
+double deep_width(double e, double n, double negligible) {
   if (e == 1) return 1;
-  if (e == 0.5) return catalan_reach * std::sqrt(n) + spread;
+  if (e == 0.5) return 2 * std::sqrt(negligible * n) + spread;
   const double log_n = std::log(n);
   const double growth = e == 0 ? log_n : std::expm1(e * log_n) / e;
-  return (0.5 + 0.9 * e) * std::pow(log_negligible, 1 - e) * growth + spread;
+  return (0.5 + 0.9 * e) * std::pow(negligible, 1 - e) * growth + spread;
 }
 
 /// depths or heights of a beta fraction.
 template <class OfFraction>
-double beta_width(const BetaFraction& beta, double n, OfFraction of_fraction) {
-  const double deep = deep_width(depth_exponent(beta), n);
+double beta_width(const BetaFraction& beta, double n, double negligible, OfFraction of_fraction) {
+  const double deep = deep_width(depth_exponent(beta), n, negligible);
   if (!beta.is_density()) return deep;
   const double values = of_fraction(Fraction(beta.a, beta.b), n) + spread;
   return beta.scatter == Scatter::strings ? std::min(deep, values) : values;
@@ -121,14 +121,14 @@ double beta_width(const BetaFraction& beta, double n, OfFraction of_fraction) {
 
 /// depths or heights of a model.
 template <class OfFraction>
-double width(const Model& model, Size size, OfFraction of_fraction) {
+double width(const Model& model, Size size, double negligible, OfFraction of_fraction) {
   const double n = std::max(2.0, static_cast<double>(size));
   const SplitFraction fraction = model.character().fraction;
   double values = 0;
   if (const auto* beta = std::get_if<BetaFraction>(&fraction))
-    values = beta_width(*beta, n, of_fraction);
+    values = beta_width(*beta, n, negligible, of_fraction);
   else if (const auto* none = std::get_if<NoFraction>(&fraction))
-    values = deep_width(none->depth_exponent, n);
+    values = deep_width(none->depth_exponent, n, negligible);
   else if (const auto* constant = std::get_if<ConstantFraction>(&fraction))
     values = of_fraction(Fraction(constant->p), n) + spread;
   else if (std::holds_alternative<PerfectFraction>(fraction))
@@ -141,11 +141,11 @@ double width(const Model& model, Size size, OfFraction of_fraction) {
 }  // namespace
 
 double depth_width(const Model& model, Size n) {
-  return width(model, n, depths);
+  return width(model, n, negligible_depth, depths);
 }
 
 double height_width(const Model& model, Size n) {
-  return splits_in_one_way(model.character().fraction) ? 1 : width(model, n, heights);
+  return splits_in_one_way(model.character().fraction) ? 1 : width(model, n, negligible_height, heights);
 }
 
 }  // namespace ramify

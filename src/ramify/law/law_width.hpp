@@ -17,9 +17,9 @@ namespace ramify {
 double depth_width(const Model& model, Size n);
 
 /// About how many heights HeightLaw stores for one size n: from 0.8 of the typical height, below which P(H_n
-/// <= h) soon vanishes, to where the bound n^t M(t)^h of P(H_n > h) falls to 1e-20 for the best t. Where
-/// there is no X, or it is unknown, as above; where a size splits in one way: 1. Right to a factor of 2.
-/// O(1).
+/// <= h) soon vanishes, to where the bound n^t M(t)^h of P(H_n > h) falls to 1e-35 for the best t. Where
+/// there is no X, or it is unknown, as above with 81 for 46; where a size splits in one way: 1. Right to a
+/// factor of 2. O(1).
 double height_width(const Model& model, Size n);
 
 }  // namespace ramify

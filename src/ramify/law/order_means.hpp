@@ -10,7 +10,8 @@ namespace ramify {
 /// E N_k(n) and E M_k(n): nodes and streams of order k, leaf order 0 (B8, B9).
 ///
 /// Both counts of a tree are those of its children, plus one where the root has order k, or begins a stream
-/// of order k (both children of order k-1); N_0 = M_0 = n+1. Relative error about 1e-13. Memory O(n log n),
+/// of order k (both children of order k-1); N_0 = M_0 = n+1. Relative error below 1e-13 where
+/// a mean is above 1e-20, beside that of the split rows. Memory O(n log n),
 /// time O(n^2 log n).
 class OrderMeans {
  public:

@@ -13,6 +13,9 @@ class SizeSeries {
   void reserve(Size sizes) { values_.reserve(sizes); }
   void append(double value);
 
+  /// The sizes 0..sizes()-1 are known.
+  Size sizes() const { return values_.size(); }
+
   double operator[](Size n) const { return values_[n]; }
 
  private:

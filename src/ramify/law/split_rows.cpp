@@ -8,7 +8,7 @@
 namespace ramify {
 namespace {
 
-constexpr double dropped_below = 1e-18;
+constexpr double dropped_below = 1e-30;
 constexpr double read_back_nanoseconds = 4;  // of an entry
 constexpr double far_below = 1e-40;  // of the mode of a binomial law: P(K = 0) may be nearly all of it
 

@@ -10,9 +10,9 @@ namespace ramify {
 
 /// The split rows of a model, one size after another: memory O(n).
 ///
-/// Weights below 1e-18 at either end of a row are dropped and the rest is scaled to sum 1, so a row of a
-/// binomial law has O(sqrt n) entries. Laws built on the rows are therefore right to 1e-15 in absolute terms;
-/// probabilities far below that are not resolved.
+/// Weights below 1e-30 at either end of a row are dropped and the rest is scaled to sum 1, so a row of a
+/// binomial law has O(sqrt n) entries. Rare splits make rare trees: what is dropped is a relative 1e-13 of a
+/// probability or a mean count of 1e-17 or more (1e-18 lost digits of mean counts of 1e-7, patricia(0.01)).
 class SplitRows {
  public:
   explicit SplitRows(const Model& model);
