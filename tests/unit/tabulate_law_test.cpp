@@ -21,9 +21,14 @@ namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-LawRequest request(std::string_view model, const std::string& statistic, std::vector<Size> sizes,
+LawRequest request(std::string_view model, const std::string& statistic, std::vector<double> sizes,
                    LawQuantity quantity = LawQuantity::law) {
   return {Model::parse(model), LawSubject::parse(statistic), quantity, std::move(sizes)};
+}
+
+LawRequest exact(LawRequest request) {
+  request.exact = true;
+  return request;
 }
 
 std::string law_refusal(const LawRequest& request, const LawCost& limit) {
@@ -31,8 +36,8 @@ std::string law_refusal(const LawRequest& request, const LawCost& limit) {
 }
 
 /// The number behind "--n " in a message.
-Size suggested(const std::string& message) {
-  return std::stoull(message.substr(message.find("--n ") + 4));
+double suggested(const std::string& message) {
+  return std::stod(message.substr(message.find("--n ") + 4));
 }
 
 std::string subject_refusal(const char* subject) {
@@ -74,14 +79,14 @@ TEST(LawRequest, OfASumIsForItsMomentsAlone) {
 }
 
 TEST(LawRequest, AboveTheModelsLargestSizeIsRefusedWhateverTheLimit) {
-  const Size above = (Size{1} << 50) + 1;
-  EXPECT_NE(
-      law_refusal(request("catalan", "depth", {10, above, 20}), {unlimited, unlimited}).find("sizes up to"),
-      std::string::npos);
+  const double above = 0x1p50 + 1;
+  EXPECT_NE(law_refusal(exact(request("catalan", "depth", {10, above, 20})), {unlimited, unlimited})
+                .find("sizes up to"),
+            std::string::npos);
 }
 
 TEST(LawRequest, ThatTakesMoreThanAnHourHasToBeMeant) {
-  const LawRequest depth = request("bst", "depth", {500'000});
+  const LawRequest depth = exact(request("bst", "depth", {500'000}));
   EXPECT_NE(law_refusal(depth, {unlimited, long_law_seconds}).find("add --yes if you mean it"),
             std::string::npos);
   EXPECT_EQ(law_refusal(depth, {unlimited, unlimited}), "");
@@ -100,13 +105,14 @@ class LawLimit : public testing::TestWithParam<std::string> {};
 TEST_P(LawLimit, IsKeptAndTheSizeSuggestedIsNearIt) {
   for (const auto& statistic : law_subjects()) {
     for (const LawCost& limit : {LawCost{1e9, unlimited}, LawCost{unlimited, 10}, LawCost{1e8, 100}}) {
-      const std::string message = law_refusal(request(GetParam(), statistic, {Size{1} << 40}), limit);
+      const std::string message = law_refusal(exact(request(GetParam(), statistic, {0x1p40})), limit);
       ASSERT_NE(message, "") << statistic;
       EXPECT_NE(message.find(limit.bytes < unlimited ? "of memory" : "takes about"), std::string::npos)
           << message;
-      const Size fits = suggested(message);
-      EXPECT_EQ(law_refusal(request(GetParam(), statistic, {fits}), limit), "") << message;
-      EXPECT_NE(law_refusal(request(GetParam(), statistic, {fits + fits / 8}), limit), "") << message;
+      const double fits = suggested(message);
+      EXPECT_EQ(law_refusal(exact(request(GetParam(), statistic, {fits})), limit), "") << message;
+      EXPECT_NE(law_refusal(exact(request(GetParam(), statistic, {std::floor(fits * 1.125)})), limit), "")
+          << message;
     }
   }
 }
@@ -196,6 +202,35 @@ TEST(LawTable, OfExternalDepthsAndSums) {
        {std::pair{"path_length", 1}, std::pair{"sackin", 5}, std::pair{"colless", 1}})
     EXPECT_EQ(write_csv(law_table(request("bst", statistic, {2}, LawQuantity::moments), never)),
               fmt::format("model,n,statistic,mean,variance\nbst,2,{},{},0\n", statistic, mean));
+}
+
+TEST(LawRequest, OfADeepModelBeyondItsTimeSaysWhatFits) {
+  const LawRequest height = request("catalan", "height", {1e12});
+  const std::string message = law_refusal(height, {unlimited, long_law_seconds});
+  ASSERT_NE(message.find("take --n"), std::string::npos) << message;
+  EXPECT_EQ(law_refusal(request("catalan", "height", {suggested(message)}), {unlimited, long_law_seconds}),
+            "");
+  EXPECT_EQ(law_refusal(request("catalan", "strahler", {1e300}), {unlimited, long_law_seconds}), "");
+}
+
+TEST(LawRequest, OfVariancesOfCountsEndsWithTheExactLaws) {
+  EXPECT_NE(law_refusal(request("bst", "orders", {1e9}, LawQuantity::moments), {unlimited, unlimited}), "");
+}
+
+TEST(LawTable, SaysTheErrorOfWhatLiesBeyondTheExactLaws) {
+  const auto rows =
+      lines(write_csv(law_table(request("dst(0.3)", "strahler", {100, 5e5}, LawQuantity::moments), {})));
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_EQ(rows[0], "model,n,statistic,mean,variance,error,variance_error");
+  EXPECT_TRUE(rows[1].ends_with(",,")) << rows[1];
+  const double error = std::stod(rows[2].substr(rows[2].rfind(',', rows[2].rfind(',') - 1) + 1));
+  EXPECT_GT(error, 0);
+  EXPECT_LT(error, 1e-7);
+}
+
+TEST(LawTable, OfSizesWithinTheExactLawsHasNoErrors) {
+  const auto rows = lines(write_csv(law_table(request("bst", "orders", {1000}), {})));
+  EXPECT_EQ(rows[0], "model,n,leaf_order,order,mean_nodes,mean_streams");
 }
 
 TEST(LawTable, StopsWhenCancelled) {

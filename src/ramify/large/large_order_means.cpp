@@ -1,5 +1,6 @@
 #include "ramify/large/large_order_means.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "ramify/core/error.hpp"
@@ -83,7 +84,7 @@ LargeOrderMeans::Values LargeOrderMeans::scaled(const Counts& counts, double lea
   Values means(orders_);
   interpolate(counts, grid_->anywhere(leaves), means);
   means.resize(std::min(orders_, static_cast<std::size_t>(std::log2(leaves)) + 1));
-  for (double& mean : means) mean *= leaves;
+  for (double& mean : means) mean = std::max(0.0, mean) * leaves;
   return means;
 }
 

@@ -102,18 +102,18 @@ double heights(const Fraction& x, double n) {
 /// Of depths and of heights alike where they grow like n^e, and where, at e = 0, they grow like log^2 n; no
 /// less than where they grow like log n but no side is without a leaf. Fitted to laws of aldous at n =
 /// 250..1000; at e = 1 all nodes are on one path.
-double deep_width(double e, double n, double negligible) {
+double deep_width(double e, double n, double cut) {
   if (e == 1) return 1;
-  if (e == 0.5) return 2 * std::sqrt(negligible * n) + spread;
+  if (e == 0.5) return 2 * std::sqrt(cut * n) + spread;
   const double log_n = std::log(n);
   const double growth = e == 0 ? log_n : std::expm1(e * log_n) / e;
-  return (0.5 + 0.9 * e) * std::pow(negligible, 1 - e) * growth + spread;
+  return (0.5 + 0.9 * e) * std::pow(cut, 1 - e) * growth + spread;
 }
 
 /// depths or heights of a beta fraction.
 template <class OfFraction>
-double beta_width(const BetaFraction& beta, double n, double negligible, OfFraction of_fraction) {
-  const double deep = deep_width(depth_exponent(beta), n, negligible);
+double beta_width(const BetaFraction& beta, double n, double cut, OfFraction of_fraction) {
+  const double deep = deep_width(depth_exponent(beta), n, cut);
   if (!beta.is_density()) return deep;
   const double values = of_fraction(Fraction(beta.a, beta.b), n) + spread;
   return beta.scatter == Scatter::strings ? std::min(deep, values) : values;
@@ -121,14 +121,14 @@ double beta_width(const BetaFraction& beta, double n, double negligible, OfFract
 
 /// depths or heights of a model.
 template <class OfFraction>
-double width(const Model& model, Size size, double negligible, OfFraction of_fraction) {
+double width(const Model& model, Size size, double cut, OfFraction of_fraction) {
   const double n = std::max(2.0, static_cast<double>(size));
   const SplitFraction fraction = model.character().fraction;
   double values = 0;
   if (const auto* beta = std::get_if<BetaFraction>(&fraction))
-    values = beta_width(*beta, n, negligible, of_fraction);
+    values = beta_width(*beta, n, cut, of_fraction);
   else if (const auto* none = std::get_if<NoFraction>(&fraction))
-    values = deep_width(none->depth_exponent, n, negligible);
+    values = deep_width(none->depth_exponent, n, cut);
   else if (const auto* constant = std::get_if<ConstantFraction>(&fraction))
     values = of_fraction(Fraction(constant->p), n) + spread;
   else if (std::holds_alternative<PerfectFraction>(fraction))

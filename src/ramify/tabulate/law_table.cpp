@@ -1,5 +1,6 @@
 #include "ramify/tabulate/law_table.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -123,12 +124,12 @@ Table mean_counts_table(const LawRequest& request, const Cancellation& cancellat
     large.emplace(request.model, sizes, cancellation);
   const auto means = [&](double n, OrderCount::Of of) {
     if (n > request.exact_to()) return large->means(n, of);
-    std::vector<Estimate> means;
+    std::vector<Estimate> counts;
     for (const double mean :
          of == OrderCount::Of::nodes ? law->nodes(static_cast<Size>(n)) : law->streams(static_cast<Size>(n)))
-      means.push_back({mean, exact});
-    means.resize(HortonStrahler::largest_order(static_cast<Size>(n)) + 1, {0, exact});
-    return means;
+      counts.push_back({mean, exact});
+    counts.resize(HortonStrahler::largest_order(static_cast<Size>(n)) + 1, {0, exact});
+    return counts;
   };
   for (const double n : request.sizes) {
     const auto nodes = means(n, OrderCount::Of::nodes), streams = means(n, OrderCount::Of::streams);
