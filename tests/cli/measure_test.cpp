@@ -234,7 +234,7 @@ TEST(BadTreeFile, NamesFileLineAndColumn) {
       {std::string(5'000'000, '(') + ",", "bad:1:5000002: the text ends within a tree"},
       {std::string(5'000'000, 'x'), "bad:1:1: not a file of trees"},
       {std::string(5'000'000, ','), "bad:1:1: not a file of trees"},
-      {"x" + std::string(5'000'000, ','), "bad:1:10001: a row of more than 10000 fields"},
+      {"x" + std::string(5'000'000, ','), "bad:1:10002: a row of more than 10000 fields"},
       {"#NEXUS\n", "bad:2:1: no tree in a NEXUS file"},
       {"order,count\n1,5\n2,7\n", "bad:3:3: count 7"},
   };

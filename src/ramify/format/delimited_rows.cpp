@@ -29,7 +29,7 @@ std::size_t separators_in(std::string_view line, char separator) {
 }
 
 bool is_nothing(std::string_view line) {
-  return line.find_first_not_of(" \t\v\f,;") == std::string_view::npos;
+  return line.find_first_not_of(" \t\v\f,;|") == std::string_view::npos;
 }
 
 }  // namespace
@@ -56,7 +56,7 @@ char DelimitedRows::separator_of(std::string_view line) const {
   ahead.separator_ = ' ';
   const std::string_view second = ahead.next_line();
   char best = ' ';
-  for (const char c : {',', '\t', ';'}) {
+  for (const char c : {',', '|', '\t', ';'}) {
     const std::size_t count = separators_in(line, c);
     if (count == 0) continue;
     const bool parts_both = second.empty() || separators_in(second, c) == count;

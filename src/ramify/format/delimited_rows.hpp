@@ -13,7 +13,7 @@ namespace ramify {
 /// Cuts a table of numbers and names into fields, line by line: fields are parts of the text, so that they
 /// carry their place with them.
 ///
-/// Fields are parted by semicolons, tabs or commas: the one that parts the first two rows into as many
+/// Fields are parted by semicolons, tabs, bars or commas: the one that parts the first two rows into as many
 /// fields, in this order where several do; where the first row has none of them by white space. White space
 /// around a field is left out, and so are quotes around a whole one. Lines that are empty, or hold separators
 /// alone, and lines that begin with # are skipped. Throws Error for a quote that is never closed on its line,

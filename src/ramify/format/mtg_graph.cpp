@@ -138,10 +138,7 @@ std::uint32_t MtgGraph::add_code(std::string_view code, const Start& start) {
 void MtgGraph::move_back(std::vector<std::string_view>& fields) {
   while (!fields.empty() && fields.back().empty()) fields.pop_back();
   if (fields.size() <= header_.columns) return;
-  if (header_.columns == 0) {
-    const auto filled = std::ranges::count_if(fields, [](auto field) { return !field.empty(); });
-    return remarks_.ignore("field", "right of the code", static_cast<std::size_t>(filled) - 1);
-  }
+  if (header_.columns == 0) return;
   const std::size_t more = fields.size() - header_.columns;
   const auto begin =
       fields.begin() + static_cast<std::ptrdiff_t>(std::min(header_.code_columns, fields.size()));
@@ -214,7 +211,16 @@ void MtgGraph::add_line(std::string_view line) {
   if (fields[column] == "*") return add_later(column, fields);
   // A comment that goes on behind a tab.
   if (trimmed(line).starts_with('#') && !begins_with_entity(fields[column])) return remark_no_code(fields);
-  add_features(fields, vertices_[add_code(fields[column], start_of(fields[column], column))]);
+  std::uint32_t entity = add_code(fields[column], start_of(fields[column], column));
+  // A code may spread over cells: each goes on from the one to its left.
+  while (++column < width) {
+    if (begins_with_entity(fields[column])) {
+      entity = add_code(fields[column], start_of(fields[column], column));
+    } else if (!fields[column].empty()) {
+      remarks_.ignore("field", "right of the code");
+    }
+  }
+  add_features(fields, vertices_[entity]);
 }
 
 bool MtgGraph::is_node(std::uint32_t vertex, unsigned scale) const {

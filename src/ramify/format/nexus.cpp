@@ -111,6 +111,7 @@ class NexusReader {
       } else if (command == "tree" || command == "utree") {
         read_tree();
       } else {
+        if (command != "title" && command != "link") remarks_.ignore_named("command", command);
         skip_command(command);
       }
     }
