@@ -45,6 +45,10 @@ TEST(NewickFiles, AreReadAsTheirProgramsWriteThem) {
       {"a length with a letter", "(a:1x,b:2);", "refused: f:1:5: a second label 'x'"},
       {"a cut-off file", "((a:1,b:2):3,c", "refused: the text ends within a tree"},
       {"JSON-like, an infinite length", "(a:Infinity,b:1);", "refused: f:1:4: a branch length"},
+      {"a label with a colon", "(HLA:A:1,b:2);", "refused: put quotes around labels that hold a colon"},
+      {"a label with parentheses", "(Homo(sapiens),b);",
+       "refused: put quotes around labels that hold parentheses"},
+      {"quotes around what looks like a network", "((a,'x#H1'),('x#H1',c));", "4 3 / 4 1"},
       {"words for missing lengths", "((a:NA,b:null):None,(c:2,d:N/A):1);", "4 2 1 / 4 2 1 / 2 1 -"},
   });
 }

@@ -105,6 +105,9 @@ TEST(SwcFiles, AreReadAsTheirProgramsWriteThem) {
       {"1 and 01 as two points", "1 1 0 0 0 5 -1\n01 3 0 10 0 1 1\n",
        "refused: f:2:1: ids 01 and 1 (line 1) are one number"},
       {"two mirrored parents", "1 3 0 0 0 1 2\n2 3 0 1 0 1 1\n", "refused: a cycle of 2 nodes"},
+      {"a cut-off line below a commented header",
+       "#id type x y z strahler radius parent\n1 1 0 0 0 1 5 -1\n2 3 0 1 0 1 1\n",
+       "refused: f:2:13: a line of 7 field(s)"},
       {"a cut-off line", "1 1 0 0 0 5 -1\n2 3 0 10\n", "refused: f:2:7: a line of 4 field(s)"},
   });
 }

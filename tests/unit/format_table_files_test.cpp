@@ -220,6 +220,7 @@ TEST(TableFiles, WhatIsNotReadIsSaid) {
   EXPECT_EQ(test::remarks_of("id,parent,a,b,c,d,e,f,g,h,i,j\n1,0,,,,,,,,,,\n"),
             "f: ignored: columns a, b, c, d, e, f, g, h and 2 more\n");
   EXPECT_EQ(test::remarks_of("id,parent\n1,0\n"), "");
+  EXPECT_EQ(test::remarks_of("id,parent,length\n1,0,\n2,1,NA\n3,1,4\n"), "f: a node is without a length\n");
 }
 
 }  // namespace

@@ -88,7 +88,8 @@ void NewickReader::require_no_hybrid(std::string_view name, std::size_t place) {
   const bool is_leaf_alone = stem.empty() && node_ == no_node;
   if (same_node || is_leaf_alone)
     refuse(first->second.place, fmt::format("a hybrid node '{}{}'", excerpt(first->second.stem), tag),
-           "a network is not a tree", "take one of the trees that it displays");
+           "a network is not a tree",
+           "take one of the trees that it displays, or put quotes around labels that end so");
 }
 
 /// "#1" or "$1" of PAML, which marks branches and clades, behind a node.
@@ -154,7 +155,8 @@ void NewickReader::length() {
     refuse(
         position_,
         fmt::format("a branch length '{}'", excerpt(text_.substr(position_, std::max<std::size_t>(size, 1)))),
-        "not a finite number that a double holds", "write it like 0.23 or 1e-3");
+        "not a finite number that a double holds",
+        "write it like 0.23 or 1e-3, and put quotes around labels that hold a colon");
   position_ += size;
   set_length(node, value);
 }

@@ -84,7 +84,9 @@ void NewickReader::take_tree_name() {
 
 void NewickReader::open() {
   if (open_.empty() && arity_.size() == 1 && arity_[0] == 0 && has_label_ && !has_length_) take_tree_name();
-  if (node_ != no_node) refuse(position_, "a '(' after a node", "subtrees are parted by commas", remedy_form);
+  if (node_ != no_node)
+    refuse(position_, "a '(' after a node", "subtrees are parted by commas",
+           "add the comma, or put quotes around labels that hold parentheses");
   open_.push_back(begin_leaf());
   ++position_;
 }

@@ -129,9 +129,9 @@ std::vector<Point> read_table(DelimitedRows& rows, Remarks& remarks) {
   return points;
 }
 
-void require_seven(const DelimitedRows& rows) {
+void require_point(const DelimitedRows& rows, std::size_t least) {
   const auto& fields = rows.fields();
-  if (fields.size() >= swc_fields) return;
+  if (fields.size() >= least) return;
   throw rows.source().error(fields.back(), fmt::format("a line of {} field(s)", fields.size()),
                             "a point has seven: id type x y z radius parent",
                             "restore what was cut off, or put # before a comment");
@@ -159,15 +159,17 @@ std::vector<Point> read_points(const SourceText& source, Remarks& remarks) {
   std::vector<Point> points;
   if (!rows.next()) return points;
   TableColumns columns = swc_columns();
+  std::size_t least = swc_fields;
   // A header in a comment may give the columns another order.
   if (const auto named = point_columns(rows.commented_header());
       named && rows.commented_header().size() == rows.fields().size()) {
     columns = *named;
     columns.name.reset();
+    least = rows.fields().size();
   }
   PointReader reader(source, columns, style_of(rows, numbers_of(columns)), remarks);
   do {
-    require_seven(rows);
+    require_point(rows, least);
     points.push_back(reader.read(rows.fields()));
     remarks.ignore("field", "after the seventh", rows.fields().size() - swc_fields);
   } while (rows.next());

@@ -1,6 +1,7 @@
 #include "ramify/format/tree_table.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
 #include <limits>
 #include <unordered_map>
@@ -78,11 +79,17 @@ class TableReader {
     if (context_.columns.pairs) add_missing_parents();
     if (context_.kind == TableKind::flowlines) drop_doubled_rows(remarks);
     const auto found = table_.trees(options, remarks);
+    std::size_t missing_lengths = 0;
     for (const RowTree& rows : found) {
       trees.push_back(recorded(rows));
+      missing_lengths += nodes_without_length(trees.back());
       trees.back().name =
           found.size() == 1 ? name_ : fmt::format("{}#{}", name_, table_.id(rows.rows.front()));
     }
+    if (missing_lengths > 0)
+      remarks.doubt(
+          fmt::format("{}{} without a length", name_ == context_.source.name() ? "" : name_ + ": ",
+                      missing_lengths == 1 ? "a node is" : fmt::format("{} nodes are", missing_lengths)));
   }
 
  private:
@@ -145,6 +152,13 @@ class TableReader {
                     "shorten them");
     }
     return tree;
+  }
+
+  /// In a tree that has lengths every node has one; the root need not.
+  static std::size_t nodes_without_length(const RecordedTree& tree) {
+    if (tree.lengths.empty()) return 0;
+    return static_cast<std::size_t>(std::count_if(tree.lengths.begin() + 1, tree.lengths.end(),
+                                                  [](double length) { return std::isnan(length); }));
   }
 
   static std::vector<double> in_preorder(const std::vector<double>& values, const RowTree& rows) {

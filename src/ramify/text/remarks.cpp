@@ -37,9 +37,12 @@ void Remarks::doubt(std::string sentence) {
 }
 
 std::vector<std::string> Remarks::lines(std::string_view file) const {
-  constexpr std::size_t most_names = 8;
+  constexpr std::size_t most_names = 8, most_doubts = 20;
   std::vector<std::string> lines, parts;
-  for (const std::string& doubt : doubts_) lines.push_back(one_line(fmt::format("{}: {}", file, doubt)));
+  for (std::size_t i = 0; i < std::min(doubts_.size(), most_doubts); ++i)
+    lines.push_back(one_line(fmt::format("{}: {}", file, doubts_[i])));
+  if (doubts_.size() > most_doubts)
+    lines.push_back(one_line(fmt::format("{}: {} more such remarks", file, doubts_.size() - most_doubts)));
   for (const Counted& part : counted_)
     parts.push_back(
         fmt::format("{}{}{}", counted(part.count, part.noun), part.which.empty() ? "" : " ", part.which));
