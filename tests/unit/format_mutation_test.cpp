@@ -33,6 +33,7 @@ void expect_same_answers(const std::string& name, const std::string& text, const
       ASSERT_EQ(found, right) << mutated;
     }
   }
+  testing::Test::RecordProperty("refused_" + name.substr(0, name.find('.')), refused);
   EXPECT_LE(refused, most_refused) << kinds.begin()->first;
 }
 

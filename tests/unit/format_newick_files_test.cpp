@@ -17,6 +17,8 @@ TEST(NewickFiles, AreReadAsTheirProgramsWriteThem) {
       {"phytools, double quotes", "(\"a, b\":1,(\"c\":1,d:1):1);", "3 2 / 3 1 / 1 1"},
       {"PAML codeml, branch marks", "((a,b) #1,(c,d #2),e $3);", "5 2 1 / 5 2 1"},
       {"PAML, marks behind lengths", "((a:1 #1,b:2):3 #1,c:4);", "3 2 / 3 1 / 2.33333 3"},
+      {"PAML, marks in quotes for TreeView", "((a '#1',b):3 '$2',c);", "3 2 / 3 1 / - 3"},
+      {"PAML, a calibration", "((a,b)'>0.3<0.5',c)'@1.2';", "3 2 / 3 1"},
       {"PAML, a line of counts", " 4 1\n((a,b),(c,d));", "4 2 1 / 4 2 1"},
       {"PHYLIP treefile, a number of trees", "2\n((a,b),(c,d));\n(a,(b,(c,d)));\n",
        "4 2 1 / 4 2 1; 4 3 / 4 1"},

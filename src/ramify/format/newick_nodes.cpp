@@ -92,17 +92,22 @@ void NewickReader::require_no_hybrid(std::string_view name, std::size_t place) {
            "take one of the trees that it displays, or put quotes around labels that end so");
 }
 
-/// "#1" or "$1" of PAML, which marks branches and clades, behind a node.
+/// "#1" or "$1" of PAML, in quotes too, which marks branches and clades, behind a node.
 bool NewickReader::at_mark() const {
-  if (peek() != '#' && peek() != '$') return false;
-  const std::size_t end = text_.find_first_not_of("0123456789.", position_ + 1);
-  return end > position_ + 1 &&
-         (end == std::string_view::npos || newick_kind(text_[end]) != NewickKind::word);
+  const bool quoted = peek() == '\'';
+  const std::size_t mark = position_ + (quoted ? 1 : 0);
+  if (mark >= text_.size() || (text_[mark] != '#' && text_[mark] != '$')) return false;
+  const std::size_t end = std::min(text_.find_first_not_of("0123456789.", mark + 1), text_.size());
+  if (end == mark + 1) return false;
+  if (quoted) return end < text_.size() && text_[end] == '\'';
+  return end == text_.size() || newick_kind(text_[end]) != NewickKind::word;
 }
 
 void NewickReader::skip_mark() {
   ++marks_;
-  position_ = std::min(text_.find_first_not_of("0123456789.", position_ + 1), text_.size());
+  const bool quoted = peek() == '\'';
+  position_ = std::min(text_.find_first_not_of("0123456789.", position_ + (quoted ? 2 : 1)), text_.size());
+  if (quoted) ++position_;
 }
 
 /// "{Foreground}" of HyPhy, "{12}" of placements: what is said of the branch of a node.
