@@ -1,7 +1,6 @@
 // Files that are written in other ways with the same meaning give the same answer, or are refused: 500 of
 // each.
 #include <filesystem>
-#include <map>
 #include <sstream>
 
 #include "support/fixtures.hpp"
@@ -22,19 +21,18 @@ void expect_same_answers(const std::string& name, const std::string& text, const
   ASSERT_FALSE(right.starts_with("refused")) << right;
   test::Mutator mutator(1996);
   int refused = 0;
-  std::map<std::string, int> kinds;
+  std::string first_refused;
   for (int i = 0; i < mutations; ++i) {
     const std::string mutated = mutator.mutated(name, text);
     const std::string found = test::measured_text(mutated, options, remarks);
     if (found.starts_with("refused: ")) {
-      ++refused;
-      ++kinds[found + "\n" + mutated];
+      if (refused++ == 0) first_refused = found + '\n' + mutated;
     } else {
       ASSERT_EQ(found, right) << mutated;
     }
   }
   testing::Test::RecordProperty("refused_" + name.substr(0, name.find('.')), refused);
-  EXPECT_LE(refused, most_refused) << kinds.begin()->first;
+  EXPECT_LE(refused, most_refused) << first_refused;
 }
 
 TEST(MutatedFiles, ExamplesKeepTheirAnswers) {
@@ -85,6 +83,15 @@ TEST(FieldFiles, KeepTheirAnswersWhenMutated) {
     const std::string file(expected.at(row, "file"));
     SCOPED_TRACE(file);
     expect_same_answers(file, read_text_file(field_folder() / file), options_of(expected.at(row, "options")));
+  }
+  const std::pair<const char*, const char*> others[] = {
+      {"08_all_points_soma.swc", ""},   {"08b_branch_typed_soma.swc", ""},
+      {"19_trees_interleaved.csv", ""}, {"19b_trees_interleaved_torn.csv", ""},
+      {"26_radius_unknown.swc", ""},    {"27_nan_lengths.newick", ""},
+      {"27b_empty_lengths.newick", ""}, {"25_neurite_not_joined.swc", "--root neurites"}};
+  for (const auto& [file, options] : others) {
+    SCOPED_TRACE(file);
+    expect_same_answers(file, read_text_file(field_folder() / file), options_of(options));
   }
 }
 

@@ -124,6 +124,8 @@ TEST(SwcFiles, WhatIsDoubtfulIsSaid) {
             "f: a soma point lies up to 4 radii from the first: branches typed soma (1) are lost in it\n");
   EXPECT_EQ(test::remarks_of("1 0 0 0 0 -1 -1 9\n2 0 0 1 0 1 1 9\n"),
             "f: a point is without a radius (-1 or none)\nf: ignored: 2 fields after the seventh\n");
+  EXPECT_EQ(test::remarks_of("node_id,label,x,y,z,radius,parent_id,type\n1,1,0,0,0,1,-1,root\n"),
+            "f: ignored: column type\n");
   EXPECT_EQ(test::remarks_of("id,type,x,y,z,radius,parent,strahler\n1,1,0,0,0,1,-1,1\n"),
             "f: ignored: column strahler\n");
 }

@@ -128,9 +128,9 @@ OrderRows read_order_rows(const SourceText& source) {
     throw source.error(source.text().size(), "no header", "a table starts with a line that names its columns",
                        "add one, such as order,count");
   OrderColumns columns = columns_of(rows);
-  std::vector<std::string> ignored;
+  std::vector<std::string_view> ignored;
   for (std::size_t i = 0; i < rows.fields().size(); ++i)
-    if (!columns.uses(i)) ignored.emplace_back(rows.fields()[i]);
+    if (!columns.uses(i)) ignored.push_back(rows.fields()[i]);
   const std::size_t width = rows.fields().size();
   if (!rows.next())
     throw source.error(source.text().size(), "no rows", "a bifurcation ratio needs two orders", "add rows");
@@ -147,7 +147,7 @@ OrderRows read_order_rows(const SourceText& source) {
     reader.add(rows.fields());
   } while (rows.next());
   OrderRows read = reader.take();
-  remark_ignored(ignored, read.remarks);
+  remark_columns(ignored, read.remarks);
   return read;
 }
 

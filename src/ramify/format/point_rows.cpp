@@ -121,11 +121,11 @@ std::vector<Point> read_table(DelimitedRows& rows, Remarks& remarks) {
   PointReader reader(rows.source(), layout.columns, style_of(rows, numbers_of(layout.columns)), remarks);
   std::vector<Point> points;
   do {
-    require_fields(rows, layout.fields);
+    require_fields(rows, layout.header.size());
     points.push_back(reader.read(rows.fields()));
   } while (rows.next());
   reader.remark();
-  remark_ignored(layout.ignored, remarks);
+  remark_ignored(layout, remarks);
   return points;
 }
 

@@ -47,13 +47,6 @@ Header with_points_spread(const Header& header) {
   return spread;
 }
 
-std::vector<std::string> unused(const Header& header, const TableColumns& columns) {
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < header.size(); ++i)
-    if (!columns.uses(i)) names.emplace_back(header[i]);
-  return names;
-}
-
 /// Rows parent, child[, length[, radius]] without a header.
 TableColumns plain_edges(const DelimitedRows& rows) {
   const std::size_t fields = rows.fields().size();
@@ -78,11 +71,6 @@ TableColumns treeqsm_columns() {
   return columns;
 }
 
-detail::TableLayout without_header(const DelimitedRows& rows, const TableColumns& columns) {
-  const std::size_t fields = rows.fields().size();
-  return {columns, fields, unused(Header(fields), columns)};
-}
-
 }  // namespace
 
 std::optional<TableKind> announced_table(const Header& header) {
@@ -100,10 +88,17 @@ bool is_treeqsm(const Header& fields) {
 
 namespace detail {
 
-void remark_ignored(const std::vector<std::string>& columns, Remarks& remarks) {
-  for (const std::string& column : columns)
-    if (!column.empty()) remarks.ignore_named("column", column);
-  remarks.ignore("column", "without a name", static_cast<std::size_t>(std::ranges::count(columns, "")));
+void remark_columns(const std::vector<std::string_view>& names, Remarks& remarks) {
+  for (const std::string_view name : names)
+    if (!name.empty()) remarks.ignore_named("column", name);
+  remarks.ignore("column", "without a name", static_cast<std::size_t>(std::ranges::count(names, "")));
+}
+
+void remark_ignored(const TableLayout& layout, Remarks& remarks) {
+  std::vector<std::string_view> names;
+  for (std::size_t i = 0; i < layout.header.size(); ++i)
+    if (!layout.columns.uses(i)) names.push_back(layout.header[i]);
+  remark_columns(names, remarks);
 }
 
 bool has_row_names(DelimitedRows rows, std::size_t columns) {
@@ -134,7 +129,7 @@ TableLayout layout_below_header(DelimitedRows& rows,
   if (rows.fields().size() == header.size() + 4) header = with_points_spread(header);
   if (has_row_names(rows, header.size())) header.insert(header.begin(), std::string_view());
   const auto columns = columns_of(header);
-  return {*columns, header.size(), unused(header, *columns)};
+  return {*columns, header};
 }
 
 TableLayout read_table_layout(DelimitedRows& rows, TableKind kind) {
@@ -142,9 +137,10 @@ TableLayout read_table_layout(DelimitedRows& rows, TableKind kind) {
   if (find(rows.fields())) return layout_below_header(rows, find);
   const Header comment = rows.commented_header();
   if (comment.size() == rows.fields().size())
-    if (const auto columns = find(comment)) return {*columns, comment.size(), unused(comment, *columns)};
-  if (kind == TableKind::edges) return without_header(rows, plain_edges(rows));
-  if (kind == TableKind::qsm && is_treeqsm(rows.fields())) return without_header(rows, treeqsm_columns());
+    if (const auto columns = find(comment)) return {*columns, comment};
+  if (kind == TableKind::edges) return {plain_edges(rows), Header(rows.fields().size())};
+  if (kind == TableKind::qsm && is_treeqsm(rows.fields()))
+    return {treeqsm_columns(), Header(rows.fields().size())};
   throw rows.source().error(rows.fields().front(), "columns are missing",
                             fmt::format("such a table has {}", expected_columns(kind)),
                             "name them in the first line");

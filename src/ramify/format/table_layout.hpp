@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
+#include <string_view>
 #include <vector>
 
 #include "ramify/format/delimited_rows.hpp"
@@ -13,8 +13,7 @@ namespace ramify::detail {
 /// Where the columns of a table stand in its rows.
 struct TableLayout {
   TableColumns columns;
-  std::size_t fields = 0;            ///< of every row
-  std::vector<std::string> ignored;  ///< names of columns that are not read; empty ones where it has no name
+  std::vector<std::string_view> header;  ///< a name for every field of a row; empty where it has none
 };
 
 /// The layout that the first rows of a table give; afterwards `rows` stands at its first row of data. Throws
@@ -29,8 +28,10 @@ TableLayout layout_below_header(
 /// too many at the end of all rows is none. `rows` stands at its first row of data.
 bool has_row_names(DelimitedRows rows, std::size_t columns);
 
-/// Remarks the columns that are not read.
-void remark_ignored(const std::vector<std::string>& columns, Remarks& remarks);
+/// Remarks columns that are not read, by their names.
+void remark_columns(const std::vector<std::string_view>& names, Remarks& remarks);
+/// Those of a layout that its columns do not use.
+void remark_ignored(const TableLayout& layout, Remarks& remarks);
 
 /// Throws Error where a row has other fields than the layout; empty ones at its end do not count.
 void require_fields(const DelimitedRows& rows, std::size_t expected);

@@ -212,12 +212,12 @@ std::vector<RecordedTree> read_tree_table(SourceText source, TableKind kind, con
                              style_of(rows, {columns.length, columns.radius, columns.diameter})};
   TreesByName trees(context);
   do {
-    detail::require_fields(rows, layout.fields);
+    detail::require_fields(rows, layout.header.size());
     trees[columns.tree ? rows.fields()[*columns.tree] : std::string_view()].add(rows.fields());
   } while (rows.next());
   std::vector<RecordedTree> found;
   for (TableReader& reader : trees.readers()) reader.finish(options, found, remarks);
-  detail::remark_ignored(layout.ignored, remarks);
+  detail::remark_ignored(layout, remarks);
   return found;
 }
 
