@@ -12,7 +12,7 @@ namespace {
 
 struct MeasureArguments {
   std::vector<std::string> files;
-  std::string format = "auto", leaf_order = "1", root, scale = "0", output = "orders", out;
+  std::string format = "auto", leaf_order = "1", root, scale = "0", resolve, output = "orders", out;
   bool keep_unary = false;
 };
 
@@ -32,6 +32,7 @@ MeasureRequest request_of(const MeasureArguments& options) {
   request.leaf_order = small_number("--leaf-order", options.leaf_order, 1);
   request.reading = {options.root, small_number("--scale", options.scale, 1000)};
   request.keep_unary = options.keep_unary;
+  if (!options.resolve.empty()) request.resolve = parse_fork_resolution(options.resolve);
   return request;
 }
 
@@ -49,7 +50,7 @@ void add_measure(Program& program) {
   verb.option("FILE", options->files, "files of trees, or of counts of streams; - is standard input",
               Need::required);
   verb.option("--format", options->format,
-              "newick, swc, mtg, qsm, edges, flowlines, parens or json; auto: found by content",
+              "newick, nexus, swc, mtg, qsm, edges, flowlines, parens or json; auto: found by content",
               Need::defaulted);
   verb.option("--leaf-order", options->leaf_order, "order of the tips in the table: 0 or 1", Need::defaulted);
   verb.option("--root", options->root,
@@ -58,6 +59,8 @@ void add_measure(Program& program) {
   verb.option("--scale", options->scale, "of an MTG: the scale of the nodes; 0 the finest", Need::defaulted);
   verb.flag("--keep-unary", options->keep_unary,
             "count one-child nodes, as in tries, instead of contracting them");
+  verb.option("--resolve", options->resolve,
+              "make forks of three and more into forks of two: ladder (in their order) or random");
   verb.option("--output", options->output,
               "orders, summary (a row a tree), norms (beside Yule and uniform trees), levels (a row a "
               "depth), nodes (a row a node) or json",

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <memory>
 
 #include "session.hpp"
@@ -8,21 +9,44 @@
 #include "ramify/format/read_trees.hpp"
 #include "ramify/text/read_count.hpp"
 #include "ramify/tree/contract_unary.hpp"
+#include "ramify/tree/resolve_forks.hpp"
 
 namespace ramify::cli {
 namespace {
 
 struct TestArguments {
   std::vector<std::string> files;
-  std::string model, format = "auto", root, seed = "1996", replicates = "1999", threads, output;
+  std::string model, format = "auto", root, resolve, seed = "1996", replicates = "1999", threads, output;
 };
+
+/// Throws Error where trees have forks of three or more, naming the first.
+void require_no_wide_forks(const Model& model, const std::vector<RecordedTree>& trees,
+                           const std::string& file) {
+  const auto is_wide = [](const RecordedTree& tree) { return wide_forks(tree.tree) > 0; };
+  const auto first = std::ranges::find_if(trees, is_wide);
+  if (first == trees.end()) return;
+  throw Error(
+      fmt::format("{}: {} of {} trees have forks of three or more, first {} with {} of them", file,
+                  std::ranges::count_if(trees, is_wide), trees.size(), first->name, wide_forks(first->tree)),
+      fmt::format("trees of {} are binary", model.text()),
+      "resolve them with --resolve ladder or --resolve random, or leave these trees out");
+}
 
 /// The trees of a file, without one-child nodes where those of the model have none.
 std::vector<RecordedTree> trees_for(const Model& model, const TestArguments& options,
                                     const std::string& file) {
-  auto trees = read_trees(read_tree_file(file), file, parse_tree_format(options.format), {options.root, 0});
-  if (model.is_split())
-    for (RecordedTree& tree : trees) tree = contract_unary(std::move(tree));
+  Remarks remarks;
+  auto trees =
+      read_trees(read_tree_file(file), file, parse_tree_format(options.format), {options.root, 0}, remarks);
+  for (const auto& line : remarks.lines(file)) fmt::print(stderr, "ramify: warning: {}\n", line);
+  if (!model.is_split()) return trees;
+  for (std::size_t i = 0; i < trees.size(); ++i) {
+    trees[i] = contract_unary(std::move(trees[i]));
+    if (options.resolve.empty()) continue;
+    Stream stream({read_count("--seed", options.seed), 0}, i);
+    trees[i] = resolve_forks(std::move(trees[i]), parse_fork_resolution(options.resolve), stream);
+  }
+  require_no_wide_forks(model, trees, file);
   return trees;
 }
 
@@ -61,9 +85,11 @@ void add_test(Program& program) {
       program.verb("test", "Is a tree like trees of a model? Its statistics beside theirs, with p-values");
   verb.option("TREE", options->files, "files of trees; - is standard input", Need::required);
   verb.option("--format", options->format,
-              "newick, swc, mtg, qsm, edges, flowlines, parens or json; auto: found by content",
+              "newick, nexus, swc, mtg, qsm, edges, flowlines, parens or json; auto: found by content",
               Need::defaulted);
   verb.option("--root", options->root, "of a table: the id of the root, all, or neurites");
+  verb.option("--resolve", options->resolve,
+              "make forks of three and more into forks of two: ladder (in their order) or random");
   verb.option("--model", options->model, "model, such as bst or \"beta(10,80)\"; see: ramify list models",
               Need::required);
   verb.option("--replicates", options->replicates, "trees to simulate for what has no exact law",

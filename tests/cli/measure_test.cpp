@@ -122,6 +122,50 @@ TEST(Measure, TheRuleForForksOfThree) {
   EXPECT_EQ(joined(column(ramify("measure --output summary " + file).out, "strahler")), "2 3");
 }
 
+TEST(Measure, AForestSaysWhichTreesHaveWideForks) {
+  const Scratch scratch;
+  const std::string file =
+      scratch.file("forest.newick", "((a,b),(c,d));\n(a,b,(c,d,e));\n((a,b,c),(d,e));\n");
+  const Ran norms = ramify("measure --output norms " + file);
+  EXPECT_EQ(norms.code, 0) << norms.err;
+  EXPECT_NE(norms.err.find("2 of 3 trees have forks of three or more, " + file + ":2 first"),
+            std::string::npos)
+      << norms.err;
+  const Ran refused = ramify("test --model bst " + file);
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_NE(refused.err.find("2 of 3 trees have forks of three or more, first " + file + ":2 with 2 of them"),
+            std::string::npos)
+      << refused.err;
+  for (const char* way : {"ladder", "random"}) {
+    const Ran resolved = ramify(std::string("measure --output norms --resolve ") + way + ' ' + file);
+    EXPECT_EQ(resolved.err, "");
+    EXPECT_NE(resolved.out.find(file + ":2,4,"), std::string::npos) << resolved.out;
+    EXPECT_EQ(ramify(std::string("test --replicates 99 --model bst --resolve ") + way + ' ' + file).code, 0);
+  }
+  EXPECT_EQ(joined(column(ramify("measure --output summary --resolve ladder " + file).out, "strahler")),
+            "3 2 3");
+  EXPECT_EQ(ramify("measure --resolve comb " + file).code, 2);
+}
+
+TEST(Measure, SaysOnceWhatItDoesNotRead) {
+  const Scratch scratch;
+  const std::string file = scratch.file("cell.swc", "1 1 0 0 0 5 -1 7\n2 3 0 10 0 1 1 7\n");
+  for (const char* verb : {"measure ", "measure --output json "}) {
+    const Ran ran = ramify(verb + file);
+    EXPECT_EQ(ran.code, 0);
+    EXPECT_EQ(ran.err, "ramify: warning: " + file + ": ignored: 2 fields after the seventh\n");
+  }
+}
+
+TEST(Measure, FitReadsWhatItWrites) {
+  const Scratch scratch;
+  const std::string table = (scratch / "orders.csv").string();
+  ASSERT_EQ(ramify("measure data/examples/sapling.newick -o " + table).code, 0);
+  const Ran fit = ramify("fit --n 100 --format csv " + table);
+  EXPECT_EQ(fit.code, 0) << fit.err;
+  EXPECT_NE(fit.out.find("orders:data/examples/sapling.newick,patricia"), std::string::npos) << fit.out;
+}
+
 TEST(Measure, ReadsStandardInputAndGzip) {
   const std::string program = RAMIFY_PROGRAM;
   EXPECT_EQ(
@@ -189,8 +233,9 @@ TEST(BadTreeFile, NamesFileLineAndColumn) {
       {std::string(5'000'000, '('), "bad:1:5000000: not a tree (5000000 '(' left open)"},
       {std::string(5'000'000, '(') + ",", "bad:1:5000002: the text ends within a tree"},
       {std::string(5'000'000, 'x'), "bad:1:1: not a file of trees"},
-      {std::string(5'000'000, ','), "bad:1:10001: a row of more than 10000 fields"},
-      {"#NEXUS\n", "bad:1:1: a NEXUS file"},
+      {std::string(5'000'000, ','), "bad:1:1: not a file of trees"},
+      {"x" + std::string(5'000'000, ','), "bad:1:10002: a row of more than 10000 fields"},
+      {"#NEXUS\n", "bad:2:1: no tree in a NEXUS file"},
       {"order,count\n1,5\n2,7\n", "bad:3:3: count 7"},
   };
   for (const auto& c : cases) {

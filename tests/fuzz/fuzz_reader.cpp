@@ -26,9 +26,14 @@ void require_whole(const RecordedTree& tree) {
   require(tree.radii.empty() || tree.radii.size() == nodes);
 }
 
+std::vector<RecordedTree> read_again(const std::string& text) {
+  Remarks remarks;
+  return read_trees(text, "back", std::nullopt, {}, remarks);
+}
+
 void require_same_again(const RecordedTree& tree) {
   for (const TreeFormat format : written_formats()) {
-    const auto back = read_trees(write_trees({tree}, format), "back", std::nullopt, {});
+    const auto back = read_again(write_trees({tree}, format));
     require(back.size() == 1 && back.front().tree == tree.tree);
     if (format != TreeFormat::newick && format != TreeFormat::json) continue;
     for (std::size_t node = 0; node < tree.tree.node_count(); ++node)
@@ -39,7 +44,8 @@ void require_same_again(const RecordedTree& tree) {
 
 void read(std::string_view text, std::optional<TreeFormat> format, const ReadOptions& options) {
   try {
-    const auto trees = read_trees(text, "fuzz", format, options);
+    Remarks remarks;
+    const auto trees = read_trees(text, "fuzz", format, options, remarks);
     require(!trees.empty());
     for (const RecordedTree& tree : trees) {
       require_whole(tree);
@@ -55,7 +61,7 @@ void read(std::string_view text, std::optional<TreeFormat> format, const ReadOpt
 
 void read_counts(std::string_view text) {
   try {
-    if (is_order_table(text)) read_order_counts(CsvData::parse(text, "fuzz"));
+    if (is_order_table(text)) read_order_counts(SourceText(text, "fuzz"));
   } catch (const Error& error) {
     require(std::string_view(error.what()).find('\n') == std::string_view::npos);
   }

@@ -10,7 +10,8 @@
 namespace ramify::test {
 
 std::vector<RecordedTree> trees_of(std::string_view text, const ReadOptions& options) {
-  return read_trees(text, "f", std::nullopt, options);
+  Remarks remarks;
+  return read_trees(text, "f", std::nullopt, options, remarks);
 }
 
 RecordedTree tree_of(std::string_view text, const ReadOptions& options) {
@@ -24,9 +25,20 @@ std::string word_of(std::string_view text, const ReadOptions& options) {
 }
 
 std::string refusal_of(std::string_view text, const ReadOptions& options, std::optional<TreeFormat> format) {
-  const std::string message = error_of([&] { read_trees(text, "f", format, options); });
+  const std::string message = error_of([&] {
+    Remarks remarks;
+    read_trees(text, "f", format, options, remarks);
+  });
   EXPECT_EQ(message.find('\n'), std::string::npos) << message;
   return message;
+}
+
+std::string remarks_of(std::string_view text, const ReadOptions& options) {
+  Remarks remarks;
+  read_trees(text, "f", std::nullopt, options, remarks);
+  std::string lines;
+  for (const std::string& line : remarks.lines("f")) lines += line + '\n';
+  return lines;
 }
 
 std::string shared_file(const std::string& name) {

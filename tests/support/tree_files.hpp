@@ -31,6 +31,9 @@ std::string word_of(std::string_view text, const ReadOptions& options = {});
 std::string refusal_of(std::string_view text, const ReadOptions& options = {},
                        std::optional<TreeFormat> format = std::nullopt);
 
+/// What is remarked when the text is read as file "f", each in a line.
+std::string remarks_of(std::string_view text, const ReadOptions& options = {});
+
 /// The file of the folder of measured trees that RAMIFY_SHARED names; empty where that is not set.
 std::string shared_file(const std::string& name);
 

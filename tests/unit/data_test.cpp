@@ -9,6 +9,7 @@
 #include "ramify/format/order_counts.hpp"
 #include "ramify/model/registry.hpp"
 #include "ramify/statistic/order_ratios.hpp"
+#include "ramify/text/csv_reader.hpp"
 #include "ramify/text/text_file.hpp"
 
 namespace ramify {
@@ -47,7 +48,8 @@ TEST(Data, RegressionsAreThosePublished) {
   } published[] = {{"coronary_rca.csv", 3.50},      {"coronary_lad.csv", 3.51},    {"coronary_lcx.csv", 3.57},
                    {"pulmonary_artery.csv", 3.354}, {"pulmonary_vein.csv", 3.333}, {"airway_ct.csv", 2.45}};
   for (const auto& [file, regression] : published) {
-    const OrderCounts counts = read_order_counts(CsvData::read(folder / file));
+    const std::string text = read_text_file(folder / file);
+    const OrderCounts counts = read_order_counts(SourceText(text, file)).front();
     EXPECT_NEAR(order_ratios(counts.counts).regression, regression, 0.006) << file;
   }
 }
@@ -55,7 +57,7 @@ TEST(Data, RegressionsAreThosePublished) {
 TEST(Data, EveryExampleIsRead) {
   std::size_t trees = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder / "examples"))
-    trees += read_trees(read_tree_file(entry.path()), entry.path().string(), std::nullopt, {}).size();
+    trees += test::trees_of(read_tree_file(entry.path())).size();
   EXPECT_EQ(trees, 7u);
 }
 

@@ -130,7 +130,7 @@ TEST(FitData, RefusesOrdersAndCountsThatMakeNoSense) {
 
 TEST(FitData, RefusesUnknownColumnsAndSecondNames) {
   expect_refused("name,ratoi\na,3\n", "x.csv", "did you mean ratio");
-  expect_refused("order,count,lenght\n1,10,2\n", "x.csv", "did you mean length");
+  expect_refused("order,cuont\n1,10\n", "x.csv:1:1:", "no column of counts");
   expect_refused("name,ratio\na,3\na,4\n", "x.csv:3", "line 2");
   expect_refused("name,ratio\n", "x.csv", "no rows");
 }

@@ -36,7 +36,7 @@ class Written : public testing::TestWithParam<TreeFormat> {
  protected:
   static std::vector<RecordedTree> back(const std::vector<RecordedTree>& trees) {
     const ReadOptions options{GetParam() == TreeFormat::swc ? "all" : "", 0};
-    return read_trees(write_trees(trees, GetParam()), "f", std::nullopt, options);
+    return test::trees_of(write_trees(trees, GetParam()), options);
   }
 
   static void expect_back(const std::vector<RecordedTree>& trees) {

@@ -29,14 +29,11 @@ std::optional<PrintedRatio> diameter_ratio_of(const std::vector<double>& diamete
   return ratio > 1 ? std::optional(PrintedRatio{ratio, 0}) : std::nullopt;
 }
 
-}  // namespace
-
-RatioDatum parse_order_table(const CsvData& table) {
-  const OrderCounts orders = read_order_counts(table);
+RatioDatum datum_of(const OrderCounts& orders, std::string_view file) {
   const OrderRatios ratios = order_ratios(orders.counts);
   RatioDatum datum;
-  datum.name = std::filesystem::path(table.name()).stem().string();
-  datum.where = {table.name(), 0, 0};
+  datum.name = std::filesystem::path(file).stem().string() + orders.name.substr(file.size());
+  datum.where = {std::string(file), 0, 0};
   datum.ratio = ratios.mean_ratio;
   datum.observed[index_of(RatioEstimator::streams_mean_ratio)] = ratios.mean_ratio;
   datum.observed[index_of(RatioEstimator::streams_regression)] = ratios.regression;
@@ -51,6 +48,14 @@ RatioDatum parse_order_table(const CsvData& table) {
                    "give the number of streams of each order");
   }
   return datum;
+}
+
+}  // namespace
+
+std::vector<RatioDatum> parse_order_table(SourceText source) {
+  std::vector<RatioDatum> data;
+  for (const OrderCounts& orders : read_order_counts(source)) data.push_back(datum_of(orders, source.name()));
+  return data;
 }
 
 }  // namespace ramify

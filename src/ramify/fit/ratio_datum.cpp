@@ -3,24 +3,29 @@
 #include <cmath>
 
 #include "ramify/fit/ratio_table.hpp"
+#include "ramify/format/order_counts.hpp"
 #include "ramify/statistic/horton_law.hpp"
+#include "ramify/text/text_file.hpp"
 
 namespace ramify {
 namespace {
 
-std::vector<RatioDatum> parse_either(const CsvData& table) {
-  if (table.column("order") || table.column("count")) return {parse_order_table(table)};
-  return parse_ratio_table(table);
+/// A header with orders, or counts, and no ratios is that of a table of counts which lacks the other.
+bool is_half_order_table(const CsvData& table) {
+  return !table.column("ratio") && (table.column("order") || table.column("count"));
 }
 
 }  // namespace
 
 std::vector<RatioDatum> read_ratio_data(const std::filesystem::path& path) {
-  return parse_either(CsvData::read(path));
+  return parse_ratio_data(read_text_file(path), path.string());
 }
 
 std::vector<RatioDatum> parse_ratio_data(std::string_view text, std::string_view name) {
-  return parse_either(CsvData::parse(text, name));
+  if (is_order_table(text)) return parse_order_table(SourceText(text, name));
+  const CsvData table = CsvData::parse(text, name);
+  if (is_half_order_table(table)) return parse_order_table(SourceText(text, name));
+  return parse_ratio_table(table);
 }
 
 Size whole_horton_size(double ratio, std::uint64_t orders) {

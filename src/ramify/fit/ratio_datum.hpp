@@ -44,8 +44,8 @@ struct RatioDatum {
 };
 
 /// Reads measured data from a CSV file: one datum a row for a table of published ratios (columns name, ratio,
-/// ...; docs/fitting.md), one datum in all for a table of stream counts
-/// (order,count[,diameter,length][,leaf_order]).
+/// ...; docs/fitting.md), one datum a tree for a table of stream counts (order_counts.hpp), that of
+/// `ramify measure` among them.
 ///
 /// Throws Error with file:line:column for a column it does not know (the nearest named), a ratio that is not
 /// above 2 (a stream of order k+1 begins where two of order k meet), orders that do not follow each other,

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "ramify/core/number.hpp"
 #include "ramify/text/trimmed.hpp"
+#include "ramify/text/whole_number.hpp"
 
 namespace ramify {
 namespace {
@@ -17,29 +17,80 @@ bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\v' || c == '\f';
 }
 
-char separator_of(std::string_view line) {
-  for (const char c : {',', '\t', ';'})
-    if (line.find(c) != std::string_view::npos) return c;
-  return ' ';
+/// How often a line has a separator outside of quotes.
+std::size_t separators_in(std::string_view line, char separator) {
+  std::size_t count = 0;
+  bool quoted = false;
+  for (const char c : line) {
+    if (c == '"') quoted = !quoted;
+    if (c == separator && !quoted) ++count;
+  }
+  return count;
+}
+
+bool is_nothing(std::string_view line) {
+  return line.find_first_not_of(" \t\v\f,;|") == std::string_view::npos;
 }
 
 }  // namespace
 
-bool DelimitedRows::next() {
+std::string_view DelimitedRows::next_line() {
   while (lines_.next()) {
     const std::string_view line = lines_.line();
+    if (is_nothing(line)) continue;
     const auto first = line.find_first_not_of(blanks);
-    if (first == std::string_view::npos || line[first] == '#') continue;
-    if (separator_ == 0) separator_ = separator_of(line);
-    fields_.clear();
-    if (separator_ == ' ') {
-      cut_at_spaces(line);
-    } else {
-      cut(line);
-    }
-    return true;
+    if (line[first] != '#') return line;
+    if (separator_ == 0) comment_ = line.substr(first + 1);
   }
-  return false;
+  return {};
+}
+
+char DelimitedRows::separator_of(std::string_view line) const {
+  constexpr std::size_t of_points = 6;
+  if (kind_ == Separator::points) {
+    for (const char c : {',', ';'})
+      if (separators_in(line, c) >= of_points) return c;
+    return ' ';
+  }
+  DelimitedRows ahead(*this);
+  ahead.separator_ = ' ';
+  const std::string_view second = ahead.next_line();
+  char best = ' ';
+  for (const char c : {',', '|', '\t', ';'}) {
+    const std::size_t count = separators_in(line, c);
+    if (count == 0) continue;
+    const bool parts_both = second.empty() || separators_in(second, c) == count;
+    if (best == ' ' || parts_both) best = c;
+  }
+  return best;
+}
+
+bool DelimitedRows::next() {
+  const std::string_view line = next_line();
+  if (line.empty()) return false;
+  if (separator_ == 0) separator_ = separator_of(line);
+  cut_line(kind_ == Separator::points ? line.substr(0, line.find('#')) : line);
+  return true;
+}
+
+std::vector<std::string_view> DelimitedRows::commented_header() const {
+  constexpr std::size_t longest = 1000;
+  const std::size_t begin = comment_.find_first_not_of('#');
+  if (begin == std::string_view::npos || comment_.size() > longest ||
+      comment_.find('"') != std::string_view::npos)
+    return {};
+  DelimitedRows header(*this);
+  header.cut_line(comment_.substr(begin));
+  return header.fields_;
+}
+
+void DelimitedRows::cut_line(std::string_view line) {
+  fields_.clear();
+  if (separator_ == ' ') {
+    cut_at_spaces(line);
+  } else {
+    cut(line);
+  }
 }
 
 void DelimitedRows::add_field(std::string_view field) {
@@ -68,8 +119,8 @@ void DelimitedRows::cut_at_spaces(std::string_view line) {
 
 void DelimitedRows::cut(std::string_view line) {
   for (std::size_t begin = 0; begin <= line.size();) {
-    const std::size_t first = line.find_first_not_of(" \t", begin);
-    if (first < line.size() && line[first] == '"' && separator_ != ' ') {
+    const std::size_t first = line.find_first_not_of(separator_ == '\t' ? " " : " \t", begin);
+    if (first < line.size() && line[first] == '"') {
       add_field(quoted(line.substr(first)));
       const std::size_t after = first + fields_.back().size() + 2;
       begin = std::min(line.find(separator_, after), line.size()) + 1;
@@ -96,16 +147,32 @@ std::string_view DelimitedRows::quoted(std::string_view from) const {
                       "close it");
 }
 
-double number_in(const SourceText& source, std::string_view field, std::string_view column) {
-  if (const auto number = parse_real(field)) return *number;
-  throw source.error(field, fmt::format("{} = '{}'", column, excerpt(field)),
-                     "not a finite number that a double holds", "write it like 0.23 or 1e-3");
+NumberStyle style_of(DelimitedRows rows, const std::vector<std::optional<std::size_t>>& columns) {
+  const bool comma = rows.separator() == ',';
+  NumberStyle style(comma);
+  const std::string_view text = rows.source().text();
+  if (text.find(comma ? '"' : ',') == std::string_view::npos) return style;
+  do {
+    for (const auto& column : columns)
+      if (column && *column < rows.fields().size()) style.see(rows.fields()[*column]);
+  } while (rows.next());
+  return style;
 }
 
-double number_or_none(const SourceText& source, std::string_view field, std::string_view column) {
-  if (field.empty() || field == "NA" || field == "NaN" || field == "nan")
-    return std::numeric_limits<double>::quiet_NaN();
-  return number_in(source, field, column);
+double number_in(const SourceText& source, const NumberStyle& style, std::string_view field,
+                 std::string_view column) {
+  if (const auto number = style.real(field)) return *number;
+  const std::string problem = fmt::format("{} = '{}'", column, excerpt(field));
+  if (style.two_ways(field, false))
+    throw source.error(field, problem, "its mark may part thousands or decimals",
+                       "write it without marks of thousands, and with a decimal point");
+  throw source.error(field, problem, "not a finite number that a double holds", "write it like 0.23 or 1e-3");
+}
+
+double number_or_none(const SourceText& source, const NumberStyle& style, std::string_view field,
+                      std::string_view column) {
+  if (is_missing(field)) return std::numeric_limits<double>::quiet_NaN();
+  return number_in(source, style, field, column);
 }
 
 }  // namespace ramify

@@ -1,6 +1,7 @@
 #include "ramify/format/json_tree.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -23,7 +24,8 @@ constexpr std::string_view remedy_form = R"(write {"parent": [-1,0,0]}, nodes in
 /// One line of the file.
 class ObjectReader {
  public:
-  ObjectReader(SourceText source, std::string_view line) : source_(source), line_(line) {}
+  ObjectReader(SourceText source, std::string_view line, Remarks& remarks)
+      : source_(source), line_(line), remarks_(remarks) {}
 
   RecordedTree tree() const {
     const Json object = parsed();
@@ -42,10 +44,17 @@ class ObjectReader {
       if (label.is_string() && !tree.names.set(node, label.get_ref<const std::string&>()))
         fail("more than 4 GB of labels", "they do not fit");
     }
+    remark_others(object);
     return tree;
   }
 
  private:
+  void remark_others(const Json& object) const {
+    constexpr std::array<std::string_view, 5> known{"parent", "name", "length", "radius", "label"};
+    for (const auto& item : object.items())
+      if (std::ranges::find(known, item.key()) == known.end()) remarks_.ignore_named("key", item.key());
+  }
+
   [[noreturn]] void fail(std::string_view problem, std::string_view why) const {
     throw source_.error(line_, problem, why, remedy_form);
   }
@@ -103,6 +112,7 @@ class ObjectReader {
 
   SourceText source_;
   std::string_view line_;
+  Remarks& remarks_;
 };
 
 void append_numbers(std::string& text, std::string_view key, const std::vector<double>& values) {
@@ -117,12 +127,12 @@ void append_numbers(std::string& text, std::string_view key, const std::vector<d
 
 }  // namespace
 
-std::vector<RecordedTree> read_json_trees(SourceText source) {
+std::vector<RecordedTree> read_json_trees(SourceText source, Remarks& remarks) {
   std::vector<RecordedTree> trees;
   LineCursor lines(source.text());
   while (lines.next()) {
     if (trimmed(lines.line()).empty()) continue;
-    trees.push_back(ObjectReader(source, lines.line()).tree());
+    trees.push_back(ObjectReader(source, lines.line(), remarks).tree());
     trees.back().name = fmt::format("{}:{}", source.name(), lines.number());
   }
   if (trees.empty())

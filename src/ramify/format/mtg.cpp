@@ -44,9 +44,9 @@ class MtgTrees {
                          "there is nothing to make a tree of", "take another --scale");
   }
 
-  std::vector<RecordedTree> trees(const ReadOptions& options) const {
+  std::vector<RecordedTree> trees(const ReadOptions& options, Remarks& remarks) const {
     std::vector<RecordedTree> trees;
-    for (const RowTree& rows : table_.trees(options)) trees.push_back(recorded(rows));
+    for (const RowTree& rows : table_.trees(options, remarks)) trees.push_back(recorded(rows));
     if (trees.size() == 1) trees.front().name = source_.name();
     return trees;
   }
@@ -77,14 +77,26 @@ class MtgTrees {
   std::vector<std::uint32_t> nodes_, parents_;  // of every row: its vertex, and its parent's
 };
 
+NumberStyle style_of_features(const detail::MtgHeader& header, LineCursor lines) {
+  NumberStyle style(false);
+  while (lines.next()) {
+    const auto fields = detail::mtg_fields(lines.line());
+    for (const auto& column : {header.length, header.radius, header.diameter, header.x, header.y, header.z})
+      if (column && *column < fields.size()) style.see(fields[*column]);
+  }
+  return style;
+}
+
 }  // namespace
 
-std::vector<RecordedTree> read_mtg(SourceText source, const ReadOptions& options) {
+std::vector<RecordedTree> read_mtg(SourceText source, const ReadOptions& options, Remarks& remarks) {
   LineCursor lines(source.text());
   const detail::MtgHeader header = detail::read_mtg_header(source, lines);
-  MtgGraph graph(source, header);
+  MtgGraph graph(source, header, style_of_features(header, lines), remarks);
   while (lines.next()) graph.add_line(lines.line());
-  return MtgTrees(source, graph, options.scale).trees(options);
+  graph.require_whole_scene();
+  for (const std::string_view feature : header.ignored) remarks.ignore_named("feature", feature);
+  return MtgTrees(source, graph, options.scale).trees(options, remarks);
 }
 
 }  // namespace ramify

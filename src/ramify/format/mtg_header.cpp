@@ -1,6 +1,11 @@
 #include "ramify/format/mtg_header.hpp"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
+#include <cstdint>
+#include <initializer_list>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -37,7 +42,7 @@ std::vector<std::string_view> words(std::string_view line) {
 }
 
 void read_class(const SourceText& source, std::string_view line, MtgHeader& header) {
-  const auto fields = words(line);
+  const auto fields = words(line.substr(0, line.find('#')));
   if (fields.size() < 2 || fields[0] == "SYMBOL") return;
   unsigned scale = 0;
   const auto [end, status] = std::from_chars(fields[1].data(), fields[1].data() + fields[1].size(), scale);
@@ -48,28 +53,41 @@ void read_class(const SourceText& source, std::string_view line, MtgHeader& head
 }
 
 void read_column_names(const std::vector<std::string_view>& fields, MtgHeader& header) {
-  header.code_columns = fields.size();
+  std::vector<std::string> names(fields.size());
+  header.code_columns = SIZE_MAX;
   for (std::size_t i = fields.size(); i-- > 1;) {
+    names[i] = plain_column(fields[i]);
     if (fields[i].empty()) continue;
     header.code_columns = i;
-    const std::string name = plain_column(fields[i]);
-    if (name == "length" || name == "len") header.length = i;
-    if (name == "radius") header.radius = i;
-    if (name == "diameter" || name == "diam" || name == "topdia") header.diameter = i;
-    if (name == "xx" || name == "x") header.x = i;
-    if (name == "yy" || name == "y") header.y = i;
-    if (name == "zz" || name == "z") header.z = i;
+    header.columns = std::max(header.columns, i + 1);
   }
+  const auto find = [&](std::initializer_list<std::string_view> known) -> std::optional<std::size_t> {
+    for (const std::string_view name : known)
+      if (const auto found = std::ranges::find(names, name); found != names.end())
+        return static_cast<std::size_t>(found - names.begin());
+    return std::nullopt;
+  };
+  header.length = find_column(names, ColumnRole::length);
+  header.radius = find_column(names, ColumnRole::radius);
+  if (!header.radius) header.diameter = find_column(names, ColumnRole::diameter);
+  if (!header.radius && !header.diameter) header.diameter = find({"topdia", "topdiameter"});
+  header.x = find({"xx", "x"});
+  header.y = find({"yy", "y"});
+  header.z = find({"zz", "z"});
+  const std::array used{header.length, header.radius, header.diameter, header.x, header.y, header.z};
+  for (std::size_t i = 1; i < fields.size(); ++i)
+    if (!fields[i].empty() && std::ranges::find(used, std::optional(i)) == used.end())
+      header.ignored.push_back(fields[i]);
 }
 
 }  // namespace
 
 std::vector<std::string_view> mtg_fields(std::string_view line) {
-  line = line.substr(0, line.find('#'));
   std::vector<std::string_view> fields;
   for (std::size_t begin = 0; begin <= line.size();) {
     const std::size_t end = std::min(line.find('\t', begin), line.size());
-    const std::string_view field = trimmed(line.substr(begin, end - begin));
+    const std::string_view whole = line.substr(begin, end - begin);
+    const std::string_view field = trimmed(whole.substr(0, whole.find('#')));
     fields.push_back(field.empty() ? line.substr(begin, 0) : field);
     begin = end + 1;
   }

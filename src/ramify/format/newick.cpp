@@ -26,22 +26,26 @@ class Places {
   std::size_t last_ = 0, line_ = 1, column_ = 1;
 };
 
+/// A tree that has a name of its own keeps it behind that of the file; others are named after their places.
 void name_trees(std::vector<RecordedTree>& trees, const std::vector<SourceLocation>& places) {
-  if (trees.size() == 1) {
-    trees.front().name = places.front().file;
-    return;
-  }
   for (std::size_t i = 0; i < trees.size(); ++i) {
     const SourceLocation& place = places[i];
     const bool shares_line = (i > 0 && places[i - 1].line == place.line) ||
                              (i + 1 < places.size() && places[i + 1].line == place.line);
-    trees[i].name = shares_line ? fmt::format("{}:{}:{}", place.file, place.line, place.column)
-                                : fmt::format("{}:{}", place.file, place.line);
+    if (trees.size() == 1) {
+      trees[i].name = place.file;
+    } else if (!trees[i].name.empty()) {
+      trees[i].name = fmt::format("{}:{}", place.file, trees[i].name);
+    } else {
+      trees[i].name = shares_line ? fmt::format("{}:{}:{}", place.file, place.line, place.column)
+                                  : fmt::format("{}:{}", place.file, place.line);
+    }
   }
 }
 
 bool needs_quotes(std::string_view label) {
-  if (label.empty() || label.find_first_of("()[]':;, \t\r\n\v\f#") != std::string_view::npos) return true;
+  if (label.empty() || label.find_first_of("()[]{}'\":;, \t\r\n\v\f#$=") != std::string_view::npos)
+    return true;
   // A label that begins like a byte-order mark would be taken for one at the start of a file.
   return label.find('\0') != std::string_view::npos || label.starts_with("\xEF\xBB\xBF");
 }
@@ -61,11 +65,21 @@ void append_label(std::string& text, std::string_view label) {
 
 }  // namespace
 
-std::vector<RecordedTree> read_newick(SourceText source) {
+std::size_t newick_count_line(std::string_view text) {
+  const std::size_t tree = text.find_first_not_of("0123456789 \t\r\n");
+  if (tree == std::string_view::npos || text[tree] != '(') return 0;
+  return text.substr(0, tree).find_first_of("0123456789") == std::string_view::npos ? 0 : tree;
+}
+
+std::vector<RecordedTree> read_newick(SourceText source, Remarks& remarks) {
   detail::NewickReader reader(source);
   Places places(source);
   std::vector<RecordedTree> trees;
   std::vector<SourceLocation> begins;
+  if (const std::size_t tree = newick_count_line(source.text()); tree > 0) {
+    reader.seek(tree);
+    remarks.ignore("line", "of counts before the trees");
+  }
   while (reader.more()) {
     begins.push_back(places.at(reader.position()));
     trees.push_back(reader.next());
@@ -74,6 +88,7 @@ std::vector<RecordedTree> read_newick(SourceText source) {
     throw source.error(source.text().size(), "no tree", "a Newick tree ends with ';'",
                        "write trees like ((a:1,b:2):3,c);");
   name_trees(trees, begins);
+  reader.remark(remarks);
   return trees;
 }
 

@@ -1,43 +1,17 @@
 #include "ramify/format/newick_reader.hpp"
 
-#include <array>
-#include <charconv>
+#include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 
 #include <fmt/format.h>
+
+#include "ramify/format/newick_characters.hpp"
 
 namespace ramify::detail {
 namespace {
 
 constexpr std::string_view remedy_form = "write trees like ((a:1,b:2):3,c);";
-
-enum class Kind : std::uint8_t { word, blank, mark };
-
-constexpr std::array<Kind, 256> kinds() {
-  std::array<Kind, 256> table{};
-  for (const char c : {' ', '\t', '\n', '\r', '\v', '\f'}) table[static_cast<unsigned char>(c)] = Kind::blank;
-  for (const char c : {'(', ')', '[', ']', ':', ';', ',', '\'', '\0'})
-    table[static_cast<unsigned char>(c)] = Kind::mark;
-  return table;
-}
-
-Kind kind_of(char c) {
-  static constexpr auto table = kinds();
-  return table[static_cast<unsigned char>(c)];
-}
-
-/// "#H1", "#LGT2", "#R3" at the end: extended Newick (Cardona, Rossello and Valiente 2008).
-bool is_hybrid(std::string_view label) {
-  const auto mark = label.rfind('#');
-  if (mark == std::string_view::npos) return false;
-  std::string_view rest = label.substr(mark + 1);
-  while (!rest.empty() && (rest.front() == 'H' || rest.front() == 'L' || rest.front() == 'G' ||
-                           rest.front() == 'T' || rest.front() == 'R'))
-    rest.remove_prefix(1);
-  return !rest.empty() && rest.find_first_not_of("0123456789") == std::string_view::npos;
-}
 
 }  // namespace
 
@@ -48,6 +22,9 @@ void NewickReader::refuse(std::size_t place, std::string_view problem, std::stri
 
 void NewickReader::skip_comment() {
   const std::size_t begin = position_;
+  const std::string_view head = text_.substr(begin, 4);
+  const bool is_rooting = head == "[&R]" || head == "[&U]" || head == "[&r]" || head == "[&u]";
+  if (head.starts_with("[&") && !is_rooting) ++annotations_;
   std::size_t depth = 0;
   do {
     position_ = text_.find_first_of("[]", position_);
@@ -63,7 +40,7 @@ void NewickReader::skip_comment() {
 
 void NewickReader::skip_blanks() {
   for (;;) {
-    while (position_ < text_.size() && kind_of(text_[position_]) == Kind::blank) ++position_;
+    while (position_ < text_.size() && newick_kind(text_[position_]) == NewickKind::blank) ++position_;
     if (peek() != '[') return;
     skip_comment();
   }
@@ -92,8 +69,24 @@ std::uint32_t NewickReader::current() {
   return node_;
 }
 
+/// What was read as a leaf alone is the name of the tree that begins here.
+void NewickReader::take_tree_name() {
+  std::string_view name = tree_.names[0];
+  while (!name.empty() && (name.back() == '=' || newick_kind(name.back()) == NewickKind::blank))
+    name.remove_suffix(1);
+  std::string kept(name);
+  tree_ = {};
+  tree_.name = std::move(kept);
+  arity_.clear();
+  tags_.clear();
+  node_ = no_node;
+}
+
 void NewickReader::open() {
-  if (node_ != no_node) refuse(position_, "a '(' after a node", "subtrees are parted by commas", remedy_form);
+  if (open_.empty() && arity_.size() == 1 && arity_[0] == 0 && has_label_ && !has_length_) take_tree_name();
+  if (node_ != no_node)
+    refuse(position_, "a '(' after a node", "subtrees are parted by commas",
+           "add the comma, or put quotes around labels that hold parentheses");
   open_.push_back(begin_leaf());
   ++position_;
 }
@@ -117,81 +110,6 @@ void NewickReader::comma() {
   ++position_;
 }
 
-void NewickReader::name_node(std::string_view name, std::size_t place) {
-  const std::uint32_t node = current();
-  if (has_label_ || has_length_)
-    refuse(place, fmt::format("a second label '{}'", excerpt(name)), "a node has one, before its length",
-           "put a ',' between nodes, and quotes around labels that hold blanks or marks");
-  has_label_ = true;
-  if (!tree_.names.set(node, name))
-    refuse(place, "more than 4 GB of labels", "they do not fit", "shorten them");
-}
-
-void NewickReader::label() {
-  if (peek() == '\'') {
-    quoted_label();
-  } else {
-    unquoted_label();
-  }
-}
-
-void NewickReader::quoted_label() {
-  const std::size_t begin = position_++;
-  std::string name;
-  for (;;) {
-    const std::size_t end = text_.find('\'', position_);
-    if (end == std::string_view::npos)
-      refuse(begin, "a quote that is never closed", "the label runs to the end of the file", "close it");
-    name += text_.substr(position_, end - position_);
-    position_ = end + 1;
-    if (peek() != '\'') break;
-    name += '\'';
-    ++position_;
-  }
-  name_node(name, begin);
-}
-
-void NewickReader::unquoted_label() {
-  const std::size_t begin = position_;
-  std::size_t end = begin;
-  // Blanks within a label are no part of the standard, but of many files.
-  for (; position_ < text_.size() && kind_of(text_[position_]) != Kind::mark; ++position_)
-    if (kind_of(text_[position_]) == Kind::word) end = position_ + 1;
-  const std::string_view name = text_.substr(begin, end - begin);
-  if (is_hybrid(name))
-    refuse(begin, fmt::format("a hybrid node '{}'", excerpt(name)), "a network is not a tree",
-           "take one of the trees that it displays");
-  name_node(name, begin);
-}
-
-void NewickReader::length() {
-  const std::uint32_t node = current();
-  const std::size_t colon = position_++;
-  if (has_length_)
-    refuse(colon, "a second length",
-           "a branch has one; support values of the form :length:support are not read",
-           "write the support as a label");
-  skip_blanks();
-  const char* const begin = text_.data() + position_;
-  const char* const end = text_.data() + text_.size();
-  double value = 0;
-  auto [after, status] = std::from_chars(begin + (peek() == '+' ? 1 : 0), end, value);
-  // Numbers too close to 0 for a double are 0; those too far from it are refused.
-  const auto size = static_cast<std::size_t>(after - begin);
-  if (status == std::errc::result_out_of_range)
-    value = std::strtod(std::string(begin, size).c_str(), nullptr);
-  if (status == std::errc::invalid_argument || !std::isfinite(value))
-    refuse(
-        position_,
-        fmt::format("a branch length '{}'", excerpt(text_.substr(position_, std::max<std::size_t>(size, 1)))),
-        "not a finite number that a double holds", "write it like 0.23 or 1e-3");
-  position_ += size;
-  if (tree_.lengths.size() <= node)
-    tree_.lengths.resize(std::size_t{node} + 1, std::numeric_limits<double>::quiet_NaN());
-  tree_.lengths[node] = value;
-  has_length_ = true;
-}
-
 void NewickReader::finish() {
   if (!open_.empty())
     refuse(position_, fmt::format("a ';' with {} '(' left open", open_.size()), "parentheses come in pairs",
@@ -199,14 +117,36 @@ void NewickReader::finish() {
   if (arity_.empty()) refuse(position_, "a ';' without a tree", "a tree has a node at least", "remove it");
   ++position_;
   tree_.tree = Tree(std::move(arity_));
-  if (!tree_.lengths.empty())
-    tree_.lengths.resize(tree_.tree.node_count(), std::numeric_limits<double>::quiet_NaN());
+  count_missing_lengths();
+}
+
+/// In a tree that has lengths every branch has one; the root need not.
+void NewickReader::count_missing_lengths() {
+  if (tree_.lengths.empty()) return;
+  tree_.lengths.resize(tree_.tree.node_count(), std::numeric_limits<double>::quiet_NaN());
+  const auto missing = static_cast<std::size_t>(std::count_if(
+      tree_.lengths.begin() + 1, tree_.lengths.end(), [](double length) { return std::isnan(length); }));
+  missing_lengths_ += std::max(missing, missing_here_);
+  const bool any = !std::isnan(tree_.lengths[0]) || missing + 1 < tree_.lengths.size();
+  if (!any) tree_.lengths.clear();
+}
+
+void NewickReader::remark(Remarks& remarks) const {
+  if (missing_lengths_ > 0)
+    remarks.doubt(fmt::format("{} without a length", missing_lengths_ == 1
+                                                         ? "a branch is"
+                                                         : fmt::format("{} branches are", missing_lengths_)));
+  remarks.ignore("mark", "of branches (#1, $1)", marks_);
+  remarks.ignore("mark", "in braces", braces_);
+  remarks.ignore("annotation", "in brackets", annotations_);
 }
 
 RecordedTree NewickReader::next() {
   tree_ = {};
   arity_.clear();
   open_.clear();
+  tags_.clear();
+  missing_here_ = 0;
   node_ = no_node;
   has_label_ = has_length_ = false;
   for (;;) {
@@ -232,10 +172,17 @@ RecordedTree NewickReader::next() {
         return std::move(tree_);
       case ']':
         refuse(position_, "a ']' without its '['", "brackets hold comments", "remove it");
+      case '{':
+        skip_braces();
+        break;
       case '\0':
         refuse(position_, "a zero byte", "this is no text", "give a text file of trees");
       default:
-        label();
+        if (node_ != no_node && at_mark()) {
+          skip_mark();
+        } else {
+          label();
+        }
     }
   }
 }

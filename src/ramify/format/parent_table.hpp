@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "ramify/format/read_options.hpp"
+#include "ramify/text/remarks.hpp"
 #include "ramify/text/source_text.hpp"
 #include "ramify/tree/tree.hpp"
 
@@ -20,19 +22,24 @@ struct RowTree {
 struct ParentWords {
   std::string_view duplicate_why = "each node has one row";
   std::string_view duplicate_remedy = "remove one, or give them different ids";
+  std::string_view more_roots = "each as a tree of its own with --root all";
+  std::string tree;  ///< of which tree in the file; empty for the whole
 };
 
 /// Rows of (id, parent id) in any order, turned into trees. The children of a node come in the order of their
 /// rows.
 ///
-/// Ids are compared as text. Throws Error with line and column for an id used twice, a node that is its own
-/// parent, a parent that has no row, a cycle (naming a node of it), and several roots where one is needed.
+/// Ids are compared as IdKeys does. Throws Error with line and column for an id used twice or written in two
+/// ways, a node that is its own parent beside a root, a parent that has no row, a cycle (naming a node of
+/// it), and several roots where one is needed.
 class ParentTable {
  public:
-  explicit ParentTable(SourceText source, ParentWords words = {}) : source_(source), words_(words) {}
+  explicit ParentTable(SourceText source, ParentWords words = {})
+      : source_(source), words_(std::move(words)) {}
 
-  /// Adds a row; both are parts of the source text, which say where they stand. A parent that is empty, 0,
-  /// -1, NA or none makes a root, unless a node has that id.
+  /// Adds a row; both are parts of the source text, which say where they stand. A parent that is missing
+  /// (is_missing), 0 or -1 makes a root, unless a node has that id; so does a node that is its own parent
+  /// where no other root is there.
   void add(std::string_view id, std::string_view parent) {
     rows_.push_back({id, parent, source_.offset(id), source_.offset(parent)});
   }
@@ -42,6 +49,11 @@ class ParentTable {
   }
   /// Adds a root row for every parent that has none.
   void add_missing_parents();
+  /// Of rows with the same id and parent those after the first, in ascending order.
+  std::vector<std::uint32_t> doubled_rows() const;
+  /// Removes rows, given in ascending order.
+  void remove(const std::vector<std::uint32_t>& rows);
+
   std::size_t size() const { return rows_.size(); }
   std::string_view id(std::size_t row) const { return rows_[row].id; }
 
@@ -49,8 +61,9 @@ class ParentTable {
   void allow_open_ends() { open_ends_ = true; }
 
   /// One tree, or with root = "all" one for every root, in the order of their rows. With any choice of a root
-  /// parents may be missing. O(rows) time.
-  std::vector<RowTree> trees(const ReadOptions& options) const;
+  /// parents may be missing; with the id of one, cycles elsewhere too, and the rows that are not below it are
+  /// remarked. O(rows) time.
+  std::vector<RowTree> trees(const ReadOptions& options, Remarks& remarks) const;
 
  private:
   struct Row {
@@ -59,10 +72,15 @@ class ParentTable {
   };
   static constexpr std::uint32_t no_row = UINT32_MAX;
 
-  std::vector<std::uint32_t> parent_rows(bool parents_may_be_missing) const;
+  std::vector<std::uint32_t> parent_rows(bool parents_may_be_missing, bool any_loops) const;
+  [[noreturn]] void refuse_second(const Row& row, const Row& first, bool same_parent) const;
   void require_no_cycle(const std::vector<std::uint32_t>& parents) const;
-  std::vector<std::uint32_t> chosen_roots(const std::vector<std::uint32_t>& parents,
-                                          const std::string& root) const;
+  void require_no_cycle_through(std::uint32_t root, const std::vector<std::uint32_t>& parents) const;
+  [[noreturn]] void refuse_cycle(std::uint32_t row, const std::vector<std::uint32_t>& parents) const;
+  std::uint32_t row_with(const std::string& root) const;
+  std::vector<std::uint32_t> all_roots(const std::vector<std::uint32_t>& parents,
+                                       const std::string& root) const;
+  std::string prefix() const { return words_.tree.empty() ? "" : words_.tree + ": "; }
 
   SourceText source_;
   ParentWords words_;

@@ -10,6 +10,7 @@
 #include "ramify/format/json_tree.hpp"
 #include "ramify/format/mtg.hpp"
 #include "ramify/format/newick.hpp"
+#include "ramify/format/nexus.hpp"
 #include "ramify/format/parens.hpp"
 #include "ramify/format/swc.hpp"
 #include "ramify/format/tree_table.hpp"
@@ -37,28 +38,31 @@ void require_no_root(TreeFormat format, const ReadOptions& options) {
 }  // namespace
 
 std::vector<RecordedTree> read_trees(std::string_view text, std::string_view name,
-                                     std::optional<TreeFormat> format, const ReadOptions& options) {
+                                     std::optional<TreeFormat> format, const ReadOptions& options,
+                                     Remarks& remarks) {
   const SourceText source(text, name);
   const TreeFormat known = format ? *format : detect_tree_format(source);
   switch (known) {
     case TreeFormat::swc:
-      return read_swc(source, options);
+      return read_swc(source, options, remarks);
     case TreeFormat::mtg:
-      return read_mtg(source, options);
+      return read_mtg(source, options, remarks);
     case TreeFormat::qsm:
-      return read_tree_table(source, TableKind::qsm, options);
+      return read_tree_table(source, TableKind::qsm, options, remarks);
     case TreeFormat::edges:
-      return read_tree_table(source, TableKind::edges, options);
+      return read_tree_table(source, TableKind::edges, options, remarks);
     case TreeFormat::flowlines:
-      return read_tree_table(source, TableKind::flowlines, options);
+      return read_tree_table(source, TableKind::flowlines, options, remarks);
     case TreeFormat::newick:
+    case TreeFormat::nexus:
     case TreeFormat::parens:
     case TreeFormat::json:
       break;
   }
   require_no_root(known, options);
-  if (known == TreeFormat::newick) return read_newick(source);
-  return known == TreeFormat::parens ? read_parens(source) : read_json_trees(source);
+  if (known == TreeFormat::newick) return read_newick(source, remarks);
+  if (known == TreeFormat::nexus) return read_nexus(source, remarks);
+  return known == TreeFormat::parens ? read_parens(source) : read_json_trees(source, remarks);
 }
 
 std::string read_tree_file(const std::string& path) {

@@ -1,12 +1,14 @@
 #include "ramify/format/swc.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include <fmt/format.h>
 
-#include "ramify/format/delimited_rows.hpp"
 #include "ramify/format/parent_table.hpp"
+#include "ramify/format/point_rows.hpp"
+#include "ramify/format/rerooted.hpp"
 #include "ramify/tree/each_edge.hpp"
 
 namespace ramify {
@@ -14,49 +16,22 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-struct Point {
-  std::string_view id, parent;
-  double x, y, z, radius;
-  std::string_view type;
-  bool is_soma() const { return type == "1"; }
-};
+using detail::Point;
 
 /// What goes into the name of a tree that begins with a point of this type.
-std::string_view type_word(std::string_view type) {
-  if (type == "1") return ":soma";
-  if (type == "2") return ":axon";
-  if (type == "3") return ":dendrite";
-  return type == "4" ? ":apical" : "";
-}
-
-std::string_view plain_id(const SourceText& source, std::string_view field) {
-  const std::string_view digits = field.substr(field.starts_with('-') ? 1 : 0);
-  if (digits.empty() || digits.find_first_not_of("0123456789") != std::string_view::npos)
-    throw source.error(field, fmt::format("id '{}'", excerpt(field)), "ids are whole numbers",
-                       "write the seven columns id type x y z radius parent");
-  return field;
-}
-
-Point point_of(const SourceText& source, const std::vector<std::string_view>& fields) {
-  if (fields.size() < 7)
-    throw source.error(fields.back(), fmt::format("a line of {} field(s)", fields.size()),
-                       "a point has seven: id type x y z radius parent",
-                       "restore what was cut off, or put # before a comment");
-  const double radius = number_in(source, fields[5], "radius");
-  if (radius < 0)
-    throw source.error(fields[5], fmt::format("radius {}", fields[5]), "it is not negative", "correct it");
-  const std::string_view parent = plain_id(source, fields[6]);
-  return {plain_id(source, fields[0]),
-          parent == "-1" ? parent.substr(0, 0) : parent,
-          number_in(source, fields[2], "x"),
-          number_in(source, fields[3], "y"),
-          number_in(source, fields[4], "z"),
-          radius,
-          fields[1]};
-}
-
-double distance(const Point& a, const Point& b) {
-  return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z);
+std::string_view type_word(int type) {
+  switch (type) {
+    case Point::soma:
+      return ":soma";
+    case 2:
+      return ":axon";
+    case 3:
+      return ":dendrite";
+    case 4:
+      return ":apical";
+    default:
+      return "";
+  }
 }
 
 /// A tree of points: the row of every node in preorder, and that of the point which it is joined to.
@@ -76,17 +51,21 @@ PointTree part(const PointTree& whole, const Tree& tree, std::size_t node) {
 
 class Neuron {
  public:
-  explicit Neuron(SourceText source) : source_(source) {
-    DelimitedRows rows(source);
-    while (rows.next()) points_.push_back(point_of(source, rows.fields()));
-  }
+  Neuron(SourceText source, Remarks& remarks)
+      : source_(source), points_(detail::read_points(source, remarks)), remarks_(remarks) {}
 
   std::vector<RecordedTree> trees(const ReadOptions& options) const {
-    ParentTable table(source_);
+    ParentWords words;
+    words.more_roots =
+        "each as a tree of its own with --root all, or what leaves the soma with --root neurites";
+    ParentTable table(source_, words);
     for (const Point& point : points_) table.add(point.id, point.parent);
     const bool neurites = options.root == "neurites";
+    const bool any_root = neurites || options.root.empty() || options.root == "all";
     std::vector<RecordedTree> trees;
-    for (const RowTree& rows : table.trees(neurites ? ReadOptions{"all", 0} : options)) {
+    for (const RowTree& found : table.trees(neurites ? ReadOptions{"all", 0} : options, remarks_)) {
+      const RowTree rows = any_root ? from_soma(found) : found;
+      remark_soma(rows);
       const PointTree points = with_one_soma(rows);
       if (neurites && points_[points.rows.front()].is_soma()) {
         add_children(points, trees);
@@ -102,6 +81,49 @@ class Neuron {
 
  private:
   static constexpr std::uint32_t no_row = UINT32_MAX;
+
+  /// The tree with its soma as the root, wherever that stands in the file.
+  RowTree from_soma(const RowTree& tree) const {
+    std::size_t first = tree.rows.size(), groups = 0;
+    const auto is_soma = [&](std::size_t node) { return points_[tree.rows[node]].is_soma(); };
+    if (is_soma(0)) ++groups;
+    each_edge(tree.tree, [&](std::size_t parent, std::size_t child) {
+      if (!is_soma(child) || is_soma(parent)) return;
+      ++groups;
+      first = std::min(first, child);
+    });
+    if (groups > 1)
+      remarks_.doubt(fmt::format(
+          "{} groups of soma points that are not joined to each other: the first is the root", groups));
+    if (groups == 0 || is_soma(0)) return tree;
+    remarks_.doubt(fmt::format("the soma, point {}, is the root: the file begins at point {}",
+                               points_[tree.rows[first]].id, points_[tree.rows[0]].id));
+    return detail::rerooted(tree, first);
+  }
+
+  /// Branches that are typed soma are lost in it.
+  void remark_soma(const RowTree& tree) const {
+    constexpr double many = 2;
+    std::size_t soma = 0, far = 0;
+    double farthest = 0;
+    const Point* first = nullptr;
+    for (const std::uint32_t row : tree.rows) {
+      const Point& point = points_[row];
+      if (!point.is_soma()) continue;
+      ++soma;
+      if (first == nullptr) first = &point;
+      const double radii = detail::distance(point, *first) / first->radius;
+      if (!(radii > many) || !std::isfinite(radii)) continue;
+      ++far;
+      farthest = std::max(farthest, radii);
+    }
+    if (soma == tree.rows.size() && soma > 1)
+      remarks_.doubt(fmt::format("all {} points are typed soma (1): they are one node", soma));
+    if (far > 0)
+      remarks_.doubt(
+          fmt::format("{} up to {:.3g} radii from the first: branches typed soma (1) are lost in it",
+                      far == 1 ? "a soma point lies" : fmt::format("{} soma points lie", far), farthest));
+  }
 
   /// A soma point that is joined to another is taken for it, and what is joined to it goes over: preorder
   /// stays as it is.
@@ -135,7 +157,7 @@ class Neuron {
     for (std::size_t node = 0; node < points.rows.size(); ++node) {
       const Point& point = points_[points.rows[node]];
       const std::uint32_t below = points.joined_to[node];
-      tree.lengths.push_back(below == no_row ? none : distance(point, points_[below]));
+      tree.lengths.push_back(below == no_row ? none : detail::distance(point, points_[below]));
       tree.radii.push_back(point.radius);
       tree.names.set(node, point.id);
     }
@@ -147,57 +169,13 @@ class Neuron {
 
   SourceText source_;
   std::vector<Point> points_;
+  Remarks& remarks_;
 };
-
-/// x of every node: the middle of the leaves below it.
-std::vector<double> middles(const Tree& tree, const std::vector<Size>& leaves) {
-  std::vector<double> x(tree.node_count());
-  double left = 0;  // leaves before the node, in preorder
-  for (std::size_t node = 0; node < tree.node_count(); ++node) {
-    x[node] = left + static_cast<double>(leaves[node] - 1) / 2;
-    if (tree.arity(node) == 0) ++left;
-  }
-  return x;
-}
-
-std::vector<Size> leaves_below(const Tree& tree, const std::vector<std::size_t>& parents) {
-  std::vector<Size> leaves(tree.node_count(), 0);
-  for (std::size_t node = tree.node_count(); node-- > 0;) {
-    if (tree.arity(node) == 0) leaves[node] = 1;
-    if (node > 0) leaves[parents[node]] += leaves[node];
-  }
-  return leaves;
-}
-
-void append_points(std::string& text, const Tree& tree, std::size_t first_id) {
-  std::vector<std::size_t> parents(tree.node_count(), 0), depths(tree.node_count(), 0);
-  each_edge(tree, [&](std::size_t parent, std::size_t child) {
-    parents[child] = parent;
-    depths[child] = depths[parent] + 1;
-  });
-  const auto leaves = leaves_below(tree, parents);
-  const auto x = middles(tree, leaves);
-  for (std::size_t node = 0; node < tree.node_count(); ++node) {
-    const std::string parent = node == 0 ? "-1" : std::to_string(first_id + parents[node]);
-    text += fmt::format("{} {} {} {} 0 {:.4g} {}\n", first_id + node, node == 0 ? 1 : 3, x[node],
-                        depths[node], 0.1 * std::cbrt(static_cast<double>(leaves[node])), parent);
-  }
-}
 
 }  // namespace
 
-std::vector<RecordedTree> read_swc(SourceText source, const ReadOptions& options) {
-  return Neuron(source).trees(options);
-}
-
-std::string write_swc(const std::vector<RecordedTree>& trees) {
-  std::string text = "# id type x y z radius parent\n";
-  std::size_t first_id = 1;
-  for (const RecordedTree& tree : trees) {
-    append_points(text, tree.tree, first_id);
-    first_id += tree.tree.node_count();
-  }
-  return text;
+std::vector<RecordedTree> read_swc(SourceText source, const ReadOptions& options, Remarks& remarks) {
+  return Neuron(source, remarks).trees(options);
 }
 
 }  // namespace ramify

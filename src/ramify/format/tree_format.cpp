@@ -8,6 +8,10 @@
 
 #include "ramify/core/nearest_name.hpp"
 #include "ramify/format/delimited_rows.hpp"
+#include "ramify/format/newick.hpp"
+#include "ramify/format/nexus.hpp"
+#include "ramify/format/point_rows.hpp"
+#include "ramify/format/table_columns.hpp"
 #include "ramify/format/tree_table.hpp"
 #include "ramify/text/line_cursor.hpp"
 #include "ramify/text/trimmed.hpp"
@@ -15,41 +19,54 @@
 namespace ramify {
 namespace {
 
-constexpr std::array<std::string_view, 8> names{"newick", "swc",       "mtg",    "qsm",
+constexpr std::array<std::string_view, 9> names{"newick", "nexus",     "swc",    "mtg", "qsm",
                                                 "edges",  "flowlines", "parens", "json"};
 
 /// Numbers that do not fit a double are refused with their place, by a reader that knows what they are.
 bool looks_like_number(std::string_view field) {
-  return !field.empty() && field.find_first_not_of("0123456789+-.eE") == std::string_view::npos;
+  return !field.empty() && field.find_first_not_of("0123456789+-.,eE") == std::string_view::npos;
 }
 
 /// Words of E and parentheses, or Newick, which has other characters or ends with a semicolon.
 TreeFormat format_of_parentheses(std::string_view text) {
-  const std::size_t other = text.find_first_of(",:;['");
-  return other == std::string_view::npos ? TreeFormat::parens : TreeFormat::newick;
+  LineCursor lines(text);
+  lines.next();
+  const std::size_t other = lines.line().find_first_not_of("E() \t");
+  if (other != std::string_view::npos) return TreeFormat::newick;
+  return text.find_first_of(",:;['") == std::string_view::npos ? TreeFormat::parens : TreeFormat::newick;
+}
+
+std::optional<TreeFormat> format_of_header(const std::vector<std::string_view>& header) {
+  const auto kind = announced_table(header);
+  if (kind == TableKind::flowlines) return TreeFormat::flowlines;
+  if (point_columns(header)) return TreeFormat::swc;
+  if (!kind) return std::nullopt;
+  return *kind == TableKind::qsm ? TreeFormat::qsm : TreeFormat::edges;
 }
 
 std::optional<TreeFormat> format_of_table(const SourceText& source) {
   DelimitedRows rows(source);
   if (!rows.next()) return std::nullopt;
-  TableKind kind{};
-  if (announces_table(rows.fields(), kind)) {
-    switch (kind) {
-      case TableKind::flowlines:
-        return TreeFormat::flowlines;
-      case TableKind::qsm:
-        return TreeFormat::qsm;
-      case TableKind::edges:
-        return TreeFormat::edges;
-    }
-  }
+  if (const auto format = format_of_header(rows.fields())) return format;
+  DelimitedRows points(source, DelimitedRows::Separator::points);
+  points.next();
+  if (detail::is_point_row(points.fields())) return TreeFormat::swc;
+  if (is_treeqsm(rows.fields())) return TreeFormat::qsm;
+  if (rows.commented_header().size() == rows.fields().size())
+    if (const auto format = format_of_header(rows.commented_header())) return format;
   const auto& fields = rows.fields();
-  constexpr std::size_t swc_fields = 7;
-  if (fields.size() >= swc_fields && looks_like_number(fields[0]) && looks_like_number(fields[6]))
-    return TreeFormat::swc;
   if (fields.size() < 2 || fields.size() > 4 || !std::ranges::all_of(fields, looks_like_number))
     return std::nullopt;
   return TreeFormat::edges;
+}
+
+/// The text from its first line on that is no comment.
+std::string_view below_comments(std::string_view text) {
+  LineCursor lines(text);
+  while (lines.next())
+    if (const std::string_view line = trimmed(lines.line()); !line.empty() && !line.starts_with('#'))
+      return text.substr(static_cast<std::size_t>(line.data() - text.data()));
+  return {};
 }
 
 Error unknown_format(const SourceText& source, std::size_t place, std::string_view why) {
@@ -87,16 +104,17 @@ TreeFormat detect_tree_format(const SourceText& source) {
     throw source.error(zero, "a binary file", "trees are read from text, or text packed with gzip",
                        "export it as text");
   const std::string_view begin = text.substr(first);
-  if (begin.starts_with("#NEXUS") || begin.starts_with("#nexus"))
-    throw source.error(first, "a NEXUS file", "it is not read", "export its trees as Newick");
+  if (is_nexus(begin)) return TreeFormat::nexus;
   if (begin.front() == '{') return TreeFormat::json;
   if (begin.front() == '(') return format_of_parentheses(begin);
-  if (begin.front() == '[' || begin.front() == '\'') return TreeFormat::newick;
+  if (begin.front() == '[' || begin.front() == '\'' || newick_count_line(begin) > 0)
+    return TreeFormat::newick;
   LineCursor lines(begin);
   lines.next();
   const std::string_view first_line = trimmed(lines.line());
   if (first_line == "E") return TreeFormat::parens;
-  if (begin.starts_with("CODE") && head.find("FORM-") != std::string_view::npos) return TreeFormat::mtg;
+  if (below_comments(begin).starts_with("CODE") && head.find("FORM-") != std::string_view::npos)
+    return TreeFormat::mtg;
   if (const auto table = format_of_table(source)) return *table;
   if (first_line.ends_with(';')) return TreeFormat::newick;  // a leaf alone
   throw unknown_format(source, first, "its beginning is that of no known format");

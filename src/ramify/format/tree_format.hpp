@@ -10,7 +10,7 @@
 namespace ramify {
 
 /// The forms in which a file holds trees (docs/formats.md).
-enum class TreeFormat { newick, swc, mtg, qsm, edges, flowlines, parens, json };
+enum class TreeFormat { newick, nexus, swc, mtg, qsm, edges, flowlines, parens, json };
 
 /// "newick".
 std::string_view name_of(TreeFormat format);

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
 #include "ramify/format/read_options.hpp"
+#include "ramify/text/remarks.hpp"
 #include "ramify/text/source_text.hpp"
 #include "ramify/tree/recorded_tree.hpp"
 
@@ -17,14 +19,22 @@ enum class TableKind {
   flowlines,  ///< rivers, downstream: id, toid; comid, tocomid; hydroseq, dnhydroseq; fromnode, tonode
 };
 
-/// Reads one; column names are matched without regard to case and unit ("length_mm"). A column `tree` parts
-/// the rows into several tables. Other columns are ignored.
+/// Reads one; column names are matched as table_columns.hpp does. Rows with the same entry in a column
+/// `tree`, wherever they stand, are a tree. Every row may have one field before those of the header (the row
+/// names of R). The header may be missing: then edges are parent, child[, length[, radius]], cylinders what
+/// TreeQSM exports (is_treeqsm). Of flowlines that are there twice with the same end and geometry one is
+/// read. What is not read is remarked.
 ///
 /// Throws Error with line and column where columns are missing, rows have other lengths than the header,
 /// numbers are none or negative, or the rows make no tree (parent_table.hpp). O(size) time.
-std::vector<RecordedTree> read_tree_table(SourceText source, TableKind kind, const ReadOptions& options);
+std::vector<RecordedTree> read_tree_table(SourceText source, TableKind kind, const ReadOptions& options,
+                                          Remarks& remarks);
 
-/// What kind of table a header announces: flowlines before qsm before edges; false where none.
-bool announces_table(const std::vector<std::string_view>& header, TableKind& kind);
+/// What kind of table a header announces: flowlines before qsm before edges; nothing where none.
+std::optional<TableKind> announced_table(const std::vector<std::string_view>& header);
+
+/// A row without a header as TreeQSM's save_model_text exports it: 15 or 17 numbers, radius and length first,
+/// start and axis, then parent and extension, which are whole.
+bool is_treeqsm(const std::vector<std::string_view>& fields);
 
 }  // namespace ramify

@@ -27,16 +27,38 @@ constexpr std::array<std::pair<const char*, Output>, 6> outputs{{{"orders", Outp
                                                                  {"nodes", Output::nodes},
                                                                  {"json", Output::json}}};
 
+/// Every tree of a file has a stream of its own.
+constexpr std::uint64_t resolution_seed = 1996;
+
+/// Trees of a file with forks of three or more.
+struct WideTrees {
+  std::size_t count = 0;
+  std::string first;
+
+  void see(const RecordedTree& tree) {
+    if (wide_forks(tree.tree) == 0) return;
+    if (count++ == 0) first = tree.name;
+  }
+
+  std::string said(std::string_view file, std::size_t trees) const {
+    return fmt::format(
+        "{}: {} of {} trees have forks of three or more, {} first, and no norms, which are those of binary "
+        "trees: resolve them with --resolve ladder or random",
+        file, count, trees, first);
+  }
+};
+
 /// What the files hold, as far as the output asks for it.
 class Measured {
  public:
   explicit Measured(const MeasureRequest& request) : request_(request) {}
 
-  void add(const OrderCounts& counts, const std::string& file) {
+  void add(const OrderCounts& counts) {
     if (request_.output == Output::nodes || request_.output == Output::levels)
-      throw Error(fmt::format("{}: --output {}", file, request_.output == Output::nodes ? "nodes" : "levels"),
-                  "a table of counts has no nodes", "take orders, summary or json");
-    MeasuredOrders orders = measure_orders(counts, file);
+      throw Error(
+          fmt::format("{}: --output {}", counts.name, request_.output == Output::nodes ? "nodes" : "levels"),
+          "a table of counts has no nodes", "take orders, summary or json");
+    MeasuredOrders orders = measure_orders(counts);
     if (request_.output == Output::orders) {
       orders_.push_back(std::move(orders));
     } else {
@@ -102,16 +124,28 @@ std::string measure_files(const MeasureRequest& request, const Cancellation& can
   for (const auto& file : request.files) {
     const std::string text = read_tree_file(file);
     if (!request.format && is_order_table(text)) {
-      const OrderCounts counts = read_order_counts(CsvData::parse(text, file));
-      for (const auto& warning : counts.warnings) warn(warning);
-      measured.add(counts, file);
+      for (const OrderCounts& counts : read_order_counts(SourceText(text, file))) {
+        for (const auto& warning : counts.warnings) warn(warning);
+        measured.add(counts);
+      }
       continue;
     }
-    for (RecordedTree& tree : read_trees(text, file, request.format, request.reading)) {
+    Remarks remarks;
+    auto trees = read_trees(text, file, request.format, request.reading, remarks);
+    for (const auto& line : remarks.lines(file)) warn(line);
+    WideTrees wide;
+    for (std::size_t i = 0; i < trees.size(); ++i) {
+      RecordedTree& tree = trees[i];
       if (cancellation.requested()) throw Interrupted();
       if (!request.keep_unary) tree = contract_unary(std::move(tree));
+      if (request.resolve) {
+        Stream stream({resolution_seed, 0}, i);
+        tree = resolve_forks(std::move(tree), *request.resolve, stream);
+      }
+      wide.see(tree);
       measured.add(tree);
     }
+    if (request.output == Output::norms && wide.count > 0) warn(wide.said(file, trees.size()));
   }
   return measured.text();
 }

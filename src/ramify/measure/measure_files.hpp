@@ -7,6 +7,7 @@
 
 #include "ramify/core/cancellation.hpp"
 #include "ramify/format/read_trees.hpp"
+#include "ramify/tree/resolve_forks.hpp"
 
 namespace ramify {
 
@@ -19,6 +20,8 @@ struct MeasureRequest {
   ReadOptions reading;
   unsigned leaf_order = 1;  ///< 0 or 1: order of the external nodes in the tables
   bool keep_unary = false;  ///< count one-child nodes instead of contracting them
+  std::optional<ForkResolution>
+      resolve;  ///< of forks of three and more; left as they are where it is not given
   Output output = Output::orders;
 };
 
@@ -27,7 +30,7 @@ MeasureRequest::Output parse_measure_output(const std::string& name);
 
 /// Reads the files and returns the table, or the JSON, of all that they hold. Throws Error for a file that
 /// cannot be read and for nodes or levels of a table of counts, Interrupted when cancelled.
-/// @param warn  is told what is doubtful in a table of counts, in one line
+/// @param warn  is told what is not read of a file, and what is doubtful in it, in one line each
 std::string measure_files(const MeasureRequest& request, const Cancellation& cancellation,
                           const std::function<void(const std::string&)>& warn);
 

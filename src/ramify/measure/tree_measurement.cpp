@@ -44,8 +44,8 @@ TreeMeasurement measure_all(const RecordedTree& tree) {
   return all;
 }
 
-MeasuredOrders measure_orders(const OrderCounts& counts, std::string name) {
-  MeasuredOrders orders{std::move(name), {}, counts.counts, counts.lengths, counts.diameters};
+MeasuredOrders measure_orders(const OrderCounts& counts) {
+  MeasuredOrders orders{counts.name, {}, counts.counts, counts.lengths, counts.diameters};
   for (double& radius : orders.mean_radii) radius /= 2;
   return orders;
 }

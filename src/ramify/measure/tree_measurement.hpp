@@ -38,7 +38,7 @@ MeasuredOrders measure_orders(const RecordedTree& tree);
 TreeMeasurement measure_all(const RecordedTree& tree);
 
 /// The same of a published table; radii are half of its diameters.
-MeasuredOrders measure_orders(const OrderCounts& counts, std::string name);
+MeasuredOrders measure_orders(const OrderCounts& counts);
 
 /// C_0 + ... + C_(S-1) over C_1 + ... + C_S: the ratio of one tree pooled over its orders; NaN where S = 0.
 double pooled_over_orders(const std::vector<std::uint64_t>& counts);

@@ -3,9 +3,7 @@
 #include <fmt/format.h>
 
 namespace ramify {
-namespace {
 
-/// An error is one line, whatever the file holds.
 std::string one_line(std::string_view text) {
   std::string line;
   for (const char c : text) {
@@ -17,8 +15,6 @@ std::string one_line(std::string_view text) {
   }
   return line;
 }
-
-}  // namespace
 
 Error error_at(const SourceLocation& place, std::string_view problem, std::string_view why,
                std::string_view remedy) {
