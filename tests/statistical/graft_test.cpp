@@ -11,6 +11,7 @@
 
 #include "support/columns.hpp"
 #include "support/goodness.hpp"
+#include "support/grafted_trees.hpp"
 #include "support/growing.hpp"
 #include "support/sanitized.hpp"
 #include "support/seed.hpp"
@@ -31,75 +32,32 @@
 namespace ramify {
 namespace {
 
-using Look = std::function<void(const TreeMeasures&)>;
+using test::sample;
 
-void sample(const Model& model, SamplingMethod method, Size n, std::uint64_t trees, const std::string& tag,
-            const Look& look) {
-  const auto sampler = make_tree_sampler({model, method, n, &test::uninterrupted});
-  const StreamKey key{test::seed_of(tag), model.stream_cell(n)};
-  TreeMeasures measures;
-  for (std::uint64_t replicate = 0; replicate < test::replicates(trees); ++replicate) {
-    sampler->sample(n, key, replicate, measures);
-    look(measures);
-  }
-}
-
-/// A statistic that has a pass of its own and an exact law.
-struct Single {
-  std::string name;
-  FoldSet pass;
-  std::uint32_t TreeMeasures::* value;
-
-  /// P(value = 0), 1, ...
-  std::vector<double> pmf(const Model& model, Size n) const {
-    const StatisticLaw laws(test::column(name).statistic->law.recurrence, n);
-    const FiniteLaw law = *build_law(model, n, laws).law(n);
-    std::vector<double> from_0(static_cast<std::size_t>(law.first), 0.0);
-    from_0.insert(from_0.end(), law.probabilities.begin(), law.probabilities.end());
-    return from_0;
-  }
-};
-
-const std::vector<Single> singles{{"strahler", Folded::strahler, &TreeMeasures::strahler},
-                                  {"height", Folded::height, &TreeMeasures::height},
-                                  {"fill_level", Folded::fill_level, &TreeMeasures::fill_level},
-                                  {"balance", Folded::balance, &TreeMeasures::balance},
-                                  {"depth", Folded::depth, &TreeMeasures::depth},
-                                  {"external_depth", Folded::external_depth, &TreeMeasures::external_depth}};
-
-test::Tally tally_of(const Model& model, SamplingMethod method, Size n, std::uint64_t trees,
-                     const std::string& tag, std::uint32_t TreeMeasures::* value) {
-  test::Tally tally;
-  sample(model, method, n, trees, tag, [&](const TreeMeasures& m) { ++tally[{m.*value, 0}]; });
-  return tally;
-}
-
-std::vector<std::uint64_t> counts_of(const test::Tally& tally, std::size_t values) {
-  std::vector<std::uint64_t> counts(values, 0);
-  for (const auto& [outcome, count] : tally) {
-    counts.resize(std::max<std::size_t>(counts.size(), outcome.first + 1), 0);
-    counts[outcome.first] = count;
-  }
-  return counts;
+/// P(value = 0), 1, ...
+std::vector<double> exact_pmf(const test::Single& single, const Model& model, Size n) {
+  const FiniteLaw law = *build_law(model, n, StatisticLaw(single.recurrence(), n)).law(n);
+  std::vector<double> from_0(static_cast<std::size_t>(law.first), 0.0);
+  from_0.insert(from_0.end(), law.probabilities.begin(), law.probabilities.end());
+  return from_0;
 }
 
 constexpr Size grown_n = 1024;  // one statistic is grafted at 256, several at 16 and 12
 constexpr std::uint64_t grown_trees = 10'000;
 
 void expect_singles_of_the_exact_law_and_of_whole_trees(const Model& model, const std::string& name) {
+  const auto& singles = test::singles;
   std::vector<test::Tally> whole(singles.size());
   sample(model, whole_trees(all_but_indices), grown_n, grown_trees, name + " whole",
          [&](const TreeMeasures& m) {
            for (std::size_t i = 0; i < singles.size(); ++i) ++whole[i][{m.*singles[i].value, 0}];
          });
   for (std::size_t i = 0; i < singles.size(); ++i) {
-    const Single& single = singles[i];
+    const test::Single& single = singles[i];
     const std::string what = name + " " + single.name;
-    const auto grafted = tally_of(model, {single.pass, true}, grown_n, grown_trees, what, single.value);
-    auto pmf = single.pmf(model, grown_n);
-    const auto counts = counts_of(grafted, pmf.size());
-    pmf.resize(counts.size(), 0.0);
-    EXPECT_TRUE(test::agrees(test::chi_square(what + ", exact law", counts, pmf)));
+    const auto grafted = test::tally_of(model, {single.pass, true}, grown_n, grown_trees, what, single.value);
+    EXPECT_TRUE(test::agrees(
+        test::chi_square_from_0(what + ", exact law", grafted, exact_pmf(single, model, grown_n))));
     EXPECT_TRUE(test::agrees(test::two_samples(what + ", whole trees", grafted, whole[i])));
   }
 }
