@@ -5,8 +5,7 @@
 #include <map>
 
 #include "ramify/core/parallel.hpp"
-#include "ramify/law/exact_means.hpp"
-#include "ramify/law/law_limit.hpp"
+#include "ramify/large/finite_means.hpp"
 
 namespace ramify {
 namespace {
@@ -19,7 +18,8 @@ double standard_error(const ColumnSummary& column, const Moments& exact) {
   return std::max(std::sqrt(variance / count), 1 / count);
 }
 
-std::optional<ExactCheck> check(const ColumnSummary& column, const CellResult& cell, const ExactMeans& laws) {
+std::optional<ExactCheck> check(const ColumnSummary& column, const CellResult& cell,
+                                const FiniteMeans& laws) {
   const auto exact = laws.moments(column.column, cell.n);
   if (!exact) return std::nullopt;
   return ExactCheck{exact->mean, (column.mean - exact->mean) / standard_error(column, *exact)};
@@ -47,10 +47,9 @@ std::vector<CheckedCell> check_against_exact_laws(const Plan& plan, std::vector<
     const auto& members = groups[group].second;
     const Model& model = plan.cells[checked[members.front()].number - 1].model;
     if (!model.is_split()) return;
-    Size largest = 0;
-    for (const std::size_t i : members)
-      if (checked[i].result.n <= law_limit(model)) largest = std::max(largest, checked[i].result.n);
-    const ExactMeans laws(model, largest);
+    std::vector<Size> sizes;
+    for (const std::size_t i : members) sizes.push_back(checked[i].result.n);
+    const FiniteMeans laws(model, sizes);
     for (const std::size_t i : members)
       for (std::size_t c = 0; c < checked[i].checks.size(); ++c)
         checked[i].checks[c] = check(checked[i].result.columns[c], checked[i].result, laws);

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "ramify/large/large_law.hpp"
+#include "ramify/large/large_orders.hpp"
+#include "ramify/law/exact_means.hpp"
+
+namespace ramify {
+
+/// The mean and variance of a table's columns at given sizes of any magnitude, for one split model: exact up
+/// to law_limit(model), beyond on a grid (LargeLaw), with errors below what any sample could tell.
+///
+/// Laws are computed when they are first asked for, for all the sizes, and kept. For use by one thread at a
+/// time.
+class FiniteMeans {
+ public:
+  /// A law on a grid that takes longer than this is left out.
+  static constexpr double longest_seconds = 20;
+
+  FiniteMeans(const Model& model, const std::vector<Size>& sizes);
+
+  /// Nothing where the statistic has no law, where the model has none beyond law_limit, or where it would
+  /// take longer than longest_seconds. The variance is NaN where only the mean is known, as of counts beyond
+  /// law_limit.
+  std::optional<Moments> moments(const StatisticColumn& column, Size n) const;
+
+ private:
+  std::optional<Moments> large_moments(const Recurrence& recurrence, const OrderPlace& place, Size n) const;
+  Moments of_count(OrderCount count, double n) const;
+
+  Model model_;
+  std::vector<double> large_sizes_;  ///< those beyond the exact laws
+  ExactMeans exact_;
+  mutable std::vector<std::pair<Recurrence, LargeLaw>> laws_;
+  mutable std::optional<LargeOrders> orders_;
+};
+
+}  // namespace ramify
