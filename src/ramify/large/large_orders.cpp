@@ -17,7 +17,7 @@ namespace ramify {
 namespace {
 
 constexpr double of_leaves = 1e-9;             // a mean count's error that needs no finer grid
-constexpr double covariance_of_leaves = 1e-8;  // the same of a covariance
+constexpr double covariance_of_leaves = 5e-8;  // the same of a covariance
 
 }  // namespace
 
@@ -93,6 +93,7 @@ void LargeOrders::solve_covariances(const Cancellation& cancellation) {
   std::vector<double> sizes;
   std::ranges::copy_if(sizes_, std::back_inserter(sizes),
                        [](double n) { return n <= largest_covariance_size; });
+  RAMIFY_EXPECTS(!sizes.empty());
   const double largest = *std::ranges::max_element(sizes);
   const Size seam = large_law_table(model_);
   const OrderMeans means = build_law(model_, seam, OrderMeans(seam), cancellation);
