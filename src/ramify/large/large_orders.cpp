@@ -18,6 +18,7 @@ namespace {
 
 constexpr double of_leaves = 1e-9;             // a mean count's error that needs no finer grid
 constexpr double covariance_of_leaves = 5e-8;  // the same of a covariance
+constexpr int halvings_of_covariances = 2;     // at most; a third takes a minute to 1e12
 
 }  // namespace
 
@@ -103,8 +104,9 @@ void LargeOrders::solve_covariances(const Cancellation& cancellation) {
     solution->solve_moments(table, cancellation);
     return solution;
   };
-  const auto fine_enough = [&sizes](const Refined<Solution>& solutions) {
-    return std::ranges::all_of(sizes, [&](double n) { return covariances_are_good(solutions, n); });
+  const auto fine_enough = [&sizes, halved = 0](const Refined<Solution>& solutions) mutable {
+    return halved++ == halvings_of_covariances ||
+           std::ranges::all_of(sizes, [&](double n) { return covariances_are_good(solutions, n); });
   };
   with_covariances_ = std::make_unique<Refined<Solution>>(seam, solve, fine_enough);
 }
