@@ -22,6 +22,12 @@ class LargeOrderMeans {
   std::vector<double> nodes(double leaves) const { return scaled(nodes_, leaves); }
   std::vector<double> streams(double leaves) const { return scaled(streams_, leaves); }
 
+  /// Of a place of the grid, over its leaves; 0 for an order that is out of reach.
+  double over_leaves(std::size_t place, OrderCount count) const {
+    const Values& means = (count.of == OrderCount::Of::nodes ? nodes_ : streams_)[place];
+    return count.order < orders_ ? means[count.order] : 0;
+  }
+
  private:
   using Values = std::vector<double>;
   using Counts = std::vector<Values>;  ///< of a place, over the orders

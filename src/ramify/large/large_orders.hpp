@@ -11,8 +11,11 @@
 
 namespace ramify {
 
-/// E N_k and E M_k, nodes and streams of order k, leaf order 0, of a split model at sizes to 1e300, with
-/// their errors (Refined). Cost: some 0.3 s to 1e9.
+/// The largest n of variances and covariances of the counts (large_order_moments.hpp says why).
+inline constexpr double largest_covariance_size = 1e15;
+
+/// E N_k and E M_k, nodes and streams of order k, leaf order 0, of a split model at sizes to 1e300, and their
+/// covariances to 1e15, with their errors (Refined). Cost: some 0.3 s to 1e9, of covariances a few seconds.
 class LargeOrders {
  public:
   /// Throws Interrupted.
@@ -26,10 +29,23 @@ class LargeOrders {
   /// Of the orders 0..floor(log2(n+1)); n from large_law_table(model) on.
   std::vector<Estimate> means(double n, OrderCount::Of of) const;
 
+  /// Of orders 0, 1, ..., up to any; n like that of the means, at most largest_covariance_size. The first
+  /// call computes those of all sizes.
+  /// Throws Error where n is larger, Interrupted.
+  Estimate covariance(double n, OrderCount a, OrderCount b, const Cancellation& cancellation = {});
+  Estimate variance(double n, OrderCount count, const Cancellation& cancellation = {});
+
  private:
   class Solution;
+  void solve_covariances(const Cancellation& cancellation);
+  static Estimate covariance_of(const Refined<Solution>& solutions, double n, OrderCount a, OrderCount b);
+  static bool covariances_are_good(const Refined<Solution>& solutions, double n);
   static std::vector<Estimate> means_of(const Refined<Solution>& solutions, double n, OrderCount::Of of);
+
+  Model model_;
+  std::vector<double> sizes_;
   std::unique_ptr<Refined<Solution>> solutions_;
+  std::unique_ptr<Refined<Solution>> with_covariances_;  ///< made when asked for
 };
 
 }  // namespace ramify

@@ -1,5 +1,6 @@
 #include "ramify/law/conditional_order_means.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "ramify/core/contract.hpp"
@@ -97,6 +98,12 @@ double ConditionalOrderMeans::mean(Size n, OrderCount count, std::size_t order) 
   if (count.order > order) return 0;
   const Count& y = counts_[index(count)];
   return y.by_order[order + 1][n] / probability + y.slope * static_cast<double>(n + 1);
+}
+
+double ConditionalOrderMeans::about_mean(Size n, OrderCount count, std::size_t order) const {
+  if (count.order == 0 || std::max(count.order, order) > top_) return 0;
+  const Count& y = counts_[index(count)];
+  return y.by_order[order + 1][n] - y.all[n] * at(order)[n];
 }
 
 }  // namespace ramify

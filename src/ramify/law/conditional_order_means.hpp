@@ -27,6 +27,9 @@ class ConditionalOrderMeans {
   /// E[X | S = order]; NaN where no tree of that size has that order.
   double mean(Size n, OrderCount count, std::size_t order) const;
 
+  /// E[X - E X; S = order]; 0 where the tree has no such order or X none to count.
+  double about_mean(Size n, OrderCount count, std::size_t order) const;
+
   // What OrderMoments build on. Counts have the indices nodes 1..K, streams 1..K.
 
   /// E[(Y_L + Y_R)_a; S = s], and the part of it where the root begins a stream of order s.

@@ -31,6 +31,8 @@ class OrderMoments {
   /// Not below 0, where rounding may leave the covariance of a count with itself.
   double variance(Size n, OrderCount count) const { return std::max(0.0, covariance(n, count, count)); }
 
+  const ConditionalOrderMeans& given_order() const { return given_order_; }
+
  private:
   double root_product(std::size_t a, std::size_t b, const ConditionalOrderMeans::Step& step) const;
 

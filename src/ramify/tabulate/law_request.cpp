@@ -11,6 +11,7 @@
 
 #include "ramify/core/error.hpp"
 #include "ramify/core/nearest_name.hpp"
+#include "ramify/large/large_orders.hpp"
 #include "ramify/large/large_reach.hpp"
 #include "ramify/statistic/registry.hpp"
 
@@ -126,11 +127,12 @@ double largest_in(double seconds, const LawRequest& request, const LawWork& work
 }
 
 void require_large(const LawRequest& request, const LawWork& work, const LawCost& limit) {
-  if (std::holds_alternative<CountOfOrder>(work.recurrence) && !work.means_alone)
-    throw Error(fmt::format("variances and covariances of counts beyond n = {:g}", request.exact_to()),
-                "they are computed by the recurrence over all sizes alone",
-                "take a smaller n, or add --exact");
   const double largest = *std::ranges::max_element(request.sizes);
+  if (std::holds_alternative<CountOfOrder>(work.recurrence) && !work.means_alone &&
+      largest > largest_covariance_size)
+    throw Error(fmt::format("variances and covariances of counts to n = {:g}", largest),
+                "rounding would be all that is left of them",
+                fmt::format("take --n {:g} or less", largest_covariance_size));
   const double seconds = large_law_seconds(request.model, work.recurrence, largest);
   if (seconds <= limit.seconds) return;
   throw Error(fmt::format("{} of {} to n = {:g} takes about {}", request.subject.name(), request.model.text(),

@@ -108,73 +108,88 @@ Table value_table(const LawRequest& request, const ValueLaws& laws) {
   return table.finished();
 }
 
-OrderMeans exact_means(const LawRequest& request, const std::vector<Size>& sizes,
-                       const Cancellation& cancellation) {
-  const Size largest = *std::ranges::max_element(sizes);
-  return build_law(request.model, largest, OrderMeans(largest), cancellation);
+/// The counts of all orders at the sizes of a request, on either side of the seam.
+class CountLaws {
+ public:
+  CountLaws(const LawRequest& request, const Cancellation& cancellation)
+      : exact_to_(request.exact_to()), cancellation_(&cancellation) {
+    if (const auto sizes = request.exact_sizes(); !sizes.empty()) {
+      const Size largest = *std::ranges::max_element(sizes);
+      means_.emplace(build_law(request.model, largest, OrderMeans(largest), cancellation));
+      if (request.quantity != LawQuantity::law)
+        moments_.emplace(build_law(request.model, largest, OrderMoments(*means_, largest), cancellation));
+    }
+    if (const auto sizes = request.large_sizes(); !sizes.empty())
+      large_.emplace(request.model, sizes, cancellation);
+  }
+
+  Estimate mean(double n, OrderCount count) const {
+    if (n <= exact_to_) return {means_->mean(static_cast<Size>(n), count), exact};
+    return large_->means(n, count.of).at(count.order);
+  }
+
+  Estimate covariance(double n, OrderCount a, OrderCount b) {
+    if (n > exact_to_) return large_->covariance(n, a, b, *cancellation_);
+    const auto size = static_cast<Size>(n);
+    return {a == b ? moments_->variance(size, a) : moments_->covariance(size, a, b), exact};
+  }
+
+ private:
+  double exact_to_;
+  const Cancellation* cancellation_;
+  std::optional<OrderMeans> means_;
+  std::optional<OrderMoments> moments_;
+  std::optional<LargeOrders> large_;
+};
+
+std::size_t largest_order(double n) {
+  return n < 0x1p63 ? HortonStrahler::largest_order(static_cast<Size>(n))
+                    : static_cast<std::size_t>(std::log2(n));
 }
 
-Table mean_counts_table(const LawRequest& request, const Cancellation& cancellation) {
+Table mean_counts_table(const LawRequest& request, const CountLaws& laws) {
   LawTable table(request, {"model", "n", "leaf_order", "order", "mean_nodes", "mean_streams"}, {"error"});
-  std::optional<OrderMeans> law;
-  if (const auto sizes = request.exact_sizes(); !sizes.empty())
-    law.emplace(exact_means(request, sizes, cancellation));
-  std::optional<LargeOrders> large;
-  if (const auto sizes = request.large_sizes(); !sizes.empty())
-    large.emplace(request.model, sizes, cancellation);
-  const auto means = [&](double n, OrderCount::Of of) {
-    if (n > request.exact_to()) return large->means(n, of);
-    std::vector<Estimate> counts;
-    for (const double mean :
-         of == OrderCount::Of::nodes ? law->nodes(static_cast<Size>(n)) : law->streams(static_cast<Size>(n)))
-      counts.push_back({mean, exact});
-    counts.resize(HortonStrahler::largest_order(static_cast<Size>(n)) + 1, {0, exact});
-    return counts;
-  };
-  for (const double n : request.sizes) {
-    const auto nodes = means(n, OrderCount::Of::nodes), streams = means(n, OrderCount::Of::streams);
-    for (std::size_t k = 0; k < nodes.size(); ++k)
-      table.add(table.row(n).whole(0).whole(k).exact(nodes[k].value).exact(streams[k].value),
-                {std::fmax(nodes[k].error, streams[k].error)});
-  }
+  for (const double n : request.sizes)
+    for (std::size_t k = 0; k <= largest_order(n); ++k) {
+      const Estimate nodes = laws.mean(n, {OrderCount::Of::nodes, k}),
+                     streams = laws.mean(n, {OrderCount::Of::streams, k});
+      table.add(table.row(n).whole(0).whole(k).exact(nodes.value).exact(streams.value),
+                {std::fmax(nodes.error, streams.error)});
+    }
   return table.finished();
 }
 
 /// The counts of the orders that a tree of size n can have: nodes, then streams.
-std::vector<StatisticColumn> columns_of(const LawRequest& request, Size n) {
-  return StatisticSet(request.subject.statistics).columns(HortonStrahler::largest_order(n));
+std::vector<StatisticColumn> columns_of(const LawRequest& request, double n) {
+  return StatisticSet(request.subject.statistics).columns(largest_order(n));
 }
 
 OrderCount count_of(const StatisticColumn& column) {
   return std::get<CountOfOrder>(column.statistic->law.recurrence).at(column.place.high);
 }
 
-Table count_moments_table(const LawRequest& request, const OrderMoments& law) {
-  LawTable table(request, {"model", "n", "statistic", "mean", "variance"}, {});
-  for (const Size n : request.exact_sizes())
+Table count_moments_table(const LawRequest& request, CountLaws& laws) {
+  LawTable table(request, {"model", "n", "statistic", "mean", "variance"}, {"error", "variance_error"});
+  for (const double n : request.sizes)
     for (const StatisticColumn& column : columns_of(request, n)) {
       const OrderCount count = count_of(column);
-      table.add(table.row(static_cast<double>(n))
-                    .text(column.name())
-                    .exact(law.mean(n, count))
-                    .exact(law.variance(n, count)),
-                {});
+      const Estimate mean = laws.mean(n, count), variance = laws.covariance(n, count, count);
+      table.add(table.row(n).text(column.name()).exact(mean.value).exact(variance.value),
+                {mean.error, variance.error});
     }
   return table.finished();
 }
 
-Table covariance_table(const LawRequest& request, const OrderMoments& law) {
-  LawTable table(request, {"model", "n", "leaf_order", "first", "second", "covariance"}, {});
-  for (const Size n : request.exact_sizes()) {
+Table covariance_table(const LawRequest& request, CountLaws& laws) {
+  LawTable table(request, {"model", "n", "leaf_order", "first", "second", "covariance"}, {"error"});
+  for (const double n : request.sizes) {
     const auto columns = columns_of(request, n);
     for (auto first = columns.begin(); first != columns.end(); ++first)
-      for (auto second = first; second != columns.end(); ++second)
-        table.add(table.row(static_cast<double>(n))
-                      .whole(0)
-                      .text(first->name())
-                      .text(second->name())
-                      .exact(law.covariance(n, count_of(*first), count_of(*second))),
-                  {});
+      for (auto second = first; second != columns.end(); ++second) {
+        const Estimate covariance = laws.covariance(n, count_of(*first), count_of(*second));
+        table.add(table.row(n).whole(0).text(first->name()).text(second->name()).exact(covariance.value),
+                  {covariance.error});
+      }
   }
   return table.finished();
 }
@@ -188,12 +203,10 @@ Table law_table(const LawRequest& request, const Cancellation& cancellation) {
     return request.quantity == LawQuantity::moments ? value_moments_table(request, laws)
                                                     : value_table(request, laws);
   }
-  if (work.means_alone) return mean_counts_table(request, cancellation);
-  const OrderMeans means = exact_means(request, request.exact_sizes(), cancellation);
-  const Size largest = means.sizes() - 1;
-  const OrderMoments moments = build_law(request.model, largest, OrderMoments(means, largest), cancellation);
-  return request.quantity == LawQuantity::moments ? count_moments_table(request, moments)
-                                                  : covariance_table(request, moments);
+  CountLaws laws(request, cancellation);
+  if (work.means_alone) return mean_counts_table(request, laws);
+  return request.quantity == LawQuantity::moments ? count_moments_table(request, laws)
+                                                  : covariance_table(request, laws);
 }
 
 }  // namespace ramify
