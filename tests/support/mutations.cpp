@@ -172,7 +172,7 @@ std::string Mutator::newick(const std::string& text) {
       number += c;
       continue;
     }
-    if (in_length) {
+    if (in_length && !number.empty()) {
       changed += is_whole(number) ? whole(number) : real(number, '.');
       number.clear();
     }

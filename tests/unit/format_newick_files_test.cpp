@@ -50,7 +50,7 @@ TEST(NewickFiles, AreReadAsTheirProgramsWriteThem) {
       {"a label with a colon", "(HLA:A:1,b:2);", "refused: put quotes around labels that hold a colon"},
       {"a label with parentheses", "(Homo(sapiens),b);",
        "refused: put quotes around labels that hold parentheses"},
-      {"quotes around what looks like a network", "((a,'x#H1'),('x#H1',c));", "4 3 / 4 1"},
+      {"quotes around what looks like a network", "((a,'x#H1'),('x#H1',c));", "4 2 1 / 4 2 1"},
       {"words for missing lengths", "((a:NA,b:null):None,(c:2,d:N/A):1);", "4 2 1 / 4 2 1 / 2 1 -"},
   });
 }

@@ -107,7 +107,7 @@ TEST(SwcFiles, AreReadAsTheirProgramsWriteThem) {
       {"two mirrored parents", "1 3 0 0 0 1 2\n2 3 0 1 0 1 1\n", "refused: a cycle of 2 nodes"},
       {"a cut-off line below a commented header",
        "#id type x y z strahler radius parent\n1 1 0 0 0 1 5 -1\n2 3 0 1 0 1 1\n",
-       "refused: f:2:13: a line of 7 field(s)"},
+       "refused: f:3:13: a line of 7 field(s)"},
       {"a cut-off line", "1 1 0 0 0 5 -1\n2 3 0 10\n", "refused: f:2:7: a line of 4 field(s)"},
   });
 }

@@ -62,31 +62,31 @@ TEST(NumberStyle, LearnsTheDecimalMark) {
 }
 
 TEST(NumberStyle, ReadsWhatTellsItsMarkItself) {
-  const NumberStyle none = style_of_fields({});
-  EXPECT_EQ(none.real("1.234,5"), 1234.5);
-  EXPECT_EQ(none.real("1,234.5"), 1234.5);
-  EXPECT_EQ(none.real("0,123"), 0.123);
-  EXPECT_EQ(none.real("1234,567"), 1234.567);
-  EXPECT_EQ(none.real("1 234,5"), 1234.5);
-  EXPECT_EQ(none.real("1'234.5"), 1234.5);
-  EXPECT_EQ(none.real("-1,5e3"), -1500);
-  EXPECT_EQ(none.real("1.234"), 1.234);
-  EXPECT_EQ(none.count("12_345"), 12345u);
-  EXPECT_EQ(none.count("12.0"), 12u);
+  const NumberStyle unseen = style_of_fields({});
+  EXPECT_EQ(unseen.real("1.234,5"), 1234.5);
+  EXPECT_EQ(unseen.real("1,234.5"), 1234.5);
+  EXPECT_EQ(unseen.real("0,123"), 0.123);
+  EXPECT_EQ(unseen.real("1234,567"), 1234.567);
+  EXPECT_EQ(unseen.real("1 234,5"), 1234.5);
+  EXPECT_EQ(unseen.real("1'234.5"), 1234.5);
+  EXPECT_EQ(unseen.real("-1,5e3"), -1500);
+  EXPECT_EQ(unseen.real("1.234"), 1.234);
+  EXPECT_EQ(unseen.count("12_345"), 12345u);
+  EXPECT_EQ(unseen.count("12.0"), 12u);
   EXPECT_EQ(style_of_fields({}, true).count("1,234"), 1234u);
 }
 
 TEST(NumberStyle, RefusesWhatCanBeReadTwoWays) {
-  const NumberStyle none = style_of_fields({}), both = style_of_fields({"8,6", "8.6"});
-  EXPECT_TRUE(none.two_ways("1,234", false));
-  EXPECT_EQ(none.real("1,234"), std::nullopt);
-  EXPECT_EQ(none.count("1.234"), std::nullopt);
-  EXPECT_EQ(none.count("1.000"), std::nullopt);
+  const NumberStyle unseen = style_of_fields({}), both = style_of_fields({"8,6", "8.6"});
+  EXPECT_TRUE(unseen.two_ways("1,234", false));
+  EXPECT_EQ(unseen.real("1,234"), std::nullopt);
+  EXPECT_EQ(unseen.count("1.234"), std::nullopt);
+  EXPECT_EQ(unseen.count("1.000"), std::nullopt);
   EXPECT_EQ(both.real("1,234"), std::nullopt);
   EXPECT_EQ(both.real("1.234"), std::nullopt);
   EXPECT_EQ(both.real("8,6"), 8.6);
   for (const char* text : {"1.2.3", "1,2,3", "1.23,45.6", "1 2", "", "x", "1,,2", "1,234,56"})
-    EXPECT_EQ(none.real(text), std::nullopt) << text;
+    EXPECT_EQ(unseen.real(text), std::nullopt) << text;
 }
 
 TEST(Remarks, CountAndNameOnce) {
