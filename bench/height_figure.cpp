@@ -44,7 +44,7 @@ Plot height_plot(const LargeLaw& heights) {
   fmt::print("n,mean_height,error,left_over\n");
   for (double decade = 4; decade <= last_decade; decade += decade < 20 ? 0.25 : 2) {
     const double n = std::pow(10.0, decade);
-    const Estimate mean = heights.moments(n).mean;
+    const Approximation mean = heights.moments(n).mean;
     series.points.push_back({decade, left_over(n, mean.value)});
     fmt::print("{:.5g},{:.12g},{:.1g},{:.9f}\n", n, mean.value, mean.error, left_over(n, mean.value));
   }

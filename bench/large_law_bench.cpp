@@ -14,12 +14,12 @@
 namespace ramify::bench {
 namespace {
 
-using MeanAt = std::function<Estimate(const Model& model, double n)>;
+using MeanAt = std::function<Approximation(const Model& model, double n)>;
 
 void add(const std::string& name, const char* model, double n, const MeanAt& mean_at) {
   benchmark::RegisterBenchmark((name + "/" + model).c_str(),
                                [mean_at, n, model = Model::parse(model)](benchmark::State& state) {
-                                 Estimate mean{};
+                                 Approximation mean{};
                                  for (auto _ : state) mean = mean_at(model, n);
                                  state.counters["mean"] = mean.value;
                                  state.counters["error"] = mean.error;

@@ -173,7 +173,7 @@ double catalan_mean_order(double n) {
 TEST(LargeLaw, OfCatalansOrderIsItsClosedForm) {
   const LargeLaw law(Model::parse("catalan"), Strahler::recurrence, {1e12, 1e15});
   for (const double n : {1e6, 1e12, 1e15}) {
-    const Estimate mean = law.moments(n).mean;
+    const Approximation mean = law.moments(n).mean;
     const double known = catalan_mean_order(n);
     EXPECT_NEAR(mean.value, known, 1e-9 * known) << n;
     EXPECT_NEAR(mean.value, known, mean.error + 1e-12) << n;

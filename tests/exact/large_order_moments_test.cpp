@@ -10,7 +10,7 @@
 
 namespace {
 
-using ramify::Estimate;
+using ramify::Approximation;
 using ramify::LargeOrders;
 using ramify::Model;
 using ramify::OrderCount;
@@ -34,7 +34,7 @@ void expect_those_of_the_exact_law(const char* text, Size n) {
   const auto leaves = static_cast<double>(n + 1);
   for (const OrderCount a : counts_to_order_13()) {
     for (const OrderCount b : counts_to_order_13()) {
-      const Estimate found = large.covariance(static_cast<double>(n), a, b);
+      const Approximation found = large.covariance(static_cast<double>(n), a, b);
       const double truth = exact.covariance(n, a, b), off = std::abs(found.value - truth);
       EXPECT_LE(off, 1e-10 * leaves) << text << " orders " << a.order << " " << b.order;
       // The exact law itself is right to 1e-13 of the leaves.

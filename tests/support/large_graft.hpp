@@ -40,7 +40,7 @@ class LargePmf {
   std::vector<double> operator()(double n) const {
     const LargeFiniteLaw law = *law_.law(n);
     std::vector<double> from_0(static_cast<std::size_t>(law.first), 0.0);
-    for (const Estimate& p : law.probabilities) from_0.push_back(p.value);
+    for (const Approximation& p : law.probabilities) from_0.push_back(p.value);
     return from_0;
   }
 

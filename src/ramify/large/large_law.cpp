@@ -154,7 +154,7 @@ std::optional<LargeFiniteLaw> LargeLaw::law(double n) const {
   LargeFiniteLaw law{0, {}};
   for (std::size_t k = 0; k < values; ++k) {
     const auto probability = [&](std::size_t s) { return std::max(0.0, tails[s][k] - tails[s][k + 1]); };
-    Estimate p = Refined<Solution>::combined(probability(0), probability(1), probability(2));
+    Approximation p = Refined<Solution>::combined(probability(0), probability(1), probability(2));
     if (tails[0][k] > 0.5) p.error += Refined<Solution>::rounding;  // a difference of what is nearly 1
     if (law.probabilities.empty()) law.first = static_cast<double>(k);
     if (p.value > p.error || !law.probabilities.empty()) law.probabilities.push_back(p);

@@ -14,7 +14,7 @@ namespace ramify {
 
 /// Mean and variance at one size, with their errors.
 struct LargeMoments {
-  Estimate mean, variance;
+  Approximation mean, variance;
 
   LargeMoments mapped(AffineMap map) const;
 };
@@ -22,7 +22,7 @@ struct LargeMoments {
 /// P(X = first + i), i = 0, 1, ..., with their errors.
 struct LargeFiniteLaw {
   double first;
-  std::vector<Estimate> probabilities;
+  std::vector<Approximation> probabilities;
 
   /// @param map  a shift alone: values stay one apart
   LargeFiniteLaw mapped(AffineMap map) const;

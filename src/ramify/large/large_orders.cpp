@@ -66,8 +66,9 @@ LargeOrders::LargeOrders(const Model& model, const std::vector<double>& sizes,
   };
   const auto fine_enough = [&](const Refined<Solution>& solutions) {
     return std::ranges::all_of(sizes, [&](double n) {
-      return std::ranges::all_of(means_of(solutions, n, OrderCount::Of::nodes),
-                                 [n](const Estimate& mean) { return mean.error <= of_leaves * (n + 1); });
+      return std::ranges::all_of(
+          means_of(solutions, n, OrderCount::Of::nodes),
+          [n](const Approximation& mean) { return mean.error <= of_leaves * (n + 1); });
     });
   };
   solutions_ = std::make_unique<Refined<Solution>>(large_law_table(model), solve, fine_enough);
@@ -77,16 +78,17 @@ LargeOrders::LargeOrders(LargeOrders&&) noexcept = default;
 LargeOrders& LargeOrders::operator=(LargeOrders&&) noexcept = default;
 LargeOrders::~LargeOrders() = default;
 
-std::vector<Estimate> LargeOrders::means_of(const Refined<Solution>& solutions, double n, OrderCount::Of of) {
+std::vector<Approximation> LargeOrders::means_of(const Refined<Solution>& solutions, double n,
+                                                 OrderCount::Of of) {
   const auto fine = solutions.fine().means(n, of), coarse = solutions.coarse().means(n, of),
              early = solutions.early().means(n, of);
-  std::vector<Estimate> means;
+  std::vector<Approximation> means;
   for (std::size_t k = 0; k < fine.size(); ++k)
     means.push_back(Refined<Solution>::combined(fine[k], coarse[k], early[k]));
   return means;
 }
 
-std::vector<Estimate> LargeOrders::means(double n, OrderCount::Of of) const {
+std::vector<Approximation> LargeOrders::means(double n, OrderCount::Of of) const {
   return means_of(*solutions_, n, of);
 }
 
@@ -111,8 +113,8 @@ void LargeOrders::solve_covariances(const Cancellation& cancellation) {
   with_covariances_ = std::make_unique<Refined<Solution>>(seam, solve, fine_enough);
 }
 
-Estimate LargeOrders::covariance_of(const Refined<Solution>& solutions, double n, OrderCount a,
-                                    OrderCount b) {
+Approximation LargeOrders::covariance_of(const Refined<Solution>& solutions, double n, OrderCount a,
+                                         OrderCount b) {
   return Refined<Solution>::combined(solutions.fine().covariance(n, a, b),
                                      solutions.coarse().covariance(n, a, b),
                                      solutions.early().covariance(n, a, b));
@@ -129,7 +131,8 @@ bool LargeOrders::covariances_are_good(const Refined<Solution>& solutions, doubl
   return true;
 }
 
-Estimate LargeOrders::covariance(double n, OrderCount a, OrderCount b, const Cancellation& cancellation) {
+Approximation LargeOrders::covariance(double n, OrderCount a, OrderCount b,
+                                      const Cancellation& cancellation) {
   if (n > largest_covariance_size)
     throw Error("covariances of trees of n = " + format_exact(n), "they are computed to n = 1e15",
                 "ask for a smaller n, or for the means alone");
@@ -137,8 +140,8 @@ Estimate LargeOrders::covariance(double n, OrderCount a, OrderCount b, const Can
   return covariance_of(*with_covariances_, n, a, b);
 }
 
-Estimate LargeOrders::variance(double n, OrderCount count, const Cancellation& cancellation) {
-  Estimate variance = covariance(n, count, count, cancellation);
+Approximation LargeOrders::variance(double n, OrderCount count, const Cancellation& cancellation) {
+  Approximation variance = covariance(n, count, count, cancellation);
   variance.value = std::max(0.0, variance.value);
   return variance;
 }

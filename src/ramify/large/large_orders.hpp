@@ -27,20 +27,21 @@ class LargeOrders {
   ~LargeOrders();
 
   /// Of the orders 0..floor(log2(n+1)); n from large_law_table(model) on.
-  std::vector<Estimate> means(double n, OrderCount::Of of) const;
+  std::vector<Approximation> means(double n, OrderCount::Of of) const;
 
   /// Of orders 0, 1, ..., up to any; n like that of the means, at most largest_covariance_size. The first
   /// call computes those of all sizes.
   /// Throws Error where n is larger, Interrupted.
-  Estimate covariance(double n, OrderCount a, OrderCount b, const Cancellation& cancellation = {});
-  Estimate variance(double n, OrderCount count, const Cancellation& cancellation = {});
+  Approximation covariance(double n, OrderCount a, OrderCount b, const Cancellation& cancellation = {});
+  Approximation variance(double n, OrderCount count, const Cancellation& cancellation = {});
 
  private:
   class Solution;
   void solve_covariances(const Cancellation& cancellation);
-  static Estimate covariance_of(const Refined<Solution>& solutions, double n, OrderCount a, OrderCount b);
+  static Approximation covariance_of(const Refined<Solution>& solutions, double n, OrderCount a,
+                                     OrderCount b);
   static bool covariances_are_good(const Refined<Solution>& solutions, double n);
-  static std::vector<Estimate> means_of(const Refined<Solution>& solutions, double n, OrderCount::Of of);
+  static std::vector<Approximation> means_of(const Refined<Solution>& solutions, double n, OrderCount::Of of);
 
   Model model_;
   std::vector<double> sizes_;

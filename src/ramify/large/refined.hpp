@@ -10,7 +10,7 @@
 namespace ramify {
 
 /// A number and a bound of its absolute error, computed with it.
-struct Estimate {
+struct Approximation {
   double value;
   double error;
 };
@@ -38,7 +38,7 @@ class Refined {
     }
   }
 
-  static Estimate combined(double fine, double coarse, double early) {
+  static Approximation combined(double fine, double coarse, double early) {
     return {fine, std::abs(fine - coarse) / 8 + 3 * std::abs(coarse - early) + rounding * std::abs(fine)};
   }
 
@@ -56,7 +56,7 @@ class Refined {
 };
 
 /// Errors that need no finer grid: absolute, or of what is above 1.
-inline bool is_good(const Estimate& estimate) {
+inline bool is_good(const Approximation& estimate) {
   return estimate.error <= 1e-8 * std::max(1.0, std::abs(estimate.value));
 }
 

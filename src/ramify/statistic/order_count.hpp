@@ -9,6 +9,8 @@ struct OrderCount {
   enum class Of { nodes, streams };
   Of of;
   std::size_t order;
+
+  friend bool operator==(const OrderCount&, const OrderCount&) = default;
 };
 
 }  // namespace ramify

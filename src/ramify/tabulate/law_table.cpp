@@ -99,7 +99,7 @@ Table value_table(const LawRequest& request, const ValueLaws& laws) {
   for (const double n : request.sizes) {
     const LargeFiniteLaw values = laws.law(n);
     auto value = static_cast<Size>(values.first);
-    for (const Estimate& p : values.probabilities) {
+    for (const Approximation& p : values.probabilities) {
       if (p.value > 0)
         table.add(table.row(n).text(request.subject.name()).whole(value).exact(p.value), {p.error});
       ++value;
@@ -123,12 +123,12 @@ class CountLaws {
       large_.emplace(request.model, sizes, cancellation);
   }
 
-  Estimate mean(double n, OrderCount count) const {
+  Approximation mean(double n, OrderCount count) const {
     if (n <= exact_to_) return {means_->mean(static_cast<Size>(n), count), exact};
     return large_->means(n, count.of).at(count.order);
   }
 
-  Estimate covariance(double n, OrderCount a, OrderCount b) {
+  Approximation covariance(double n, OrderCount a, OrderCount b) {
     if (n > exact_to_) return large_->covariance(n, a, b, *cancellation_);
     const auto size = static_cast<Size>(n);
     return {a == b ? moments_->variance(size, a) : moments_->covariance(size, a, b), exact};
@@ -151,8 +151,8 @@ Table mean_counts_table(const LawRequest& request, const CountLaws& laws) {
   LawTable table(request, {"model", "n", "leaf_order", "order", "mean_nodes", "mean_streams"}, {"error"});
   for (const double n : request.sizes)
     for (std::size_t k = 0; k <= largest_order(n); ++k) {
-      const Estimate nodes = laws.mean(n, {OrderCount::Of::nodes, k}),
-                     streams = laws.mean(n, {OrderCount::Of::streams, k});
+      const Approximation nodes = laws.mean(n, {OrderCount::Of::nodes, k}),
+                          streams = laws.mean(n, {OrderCount::Of::streams, k});
       table.add(table.row(n).whole(0).whole(k).exact(nodes.value).exact(streams.value),
                 {std::fmax(nodes.error, streams.error)});
     }
@@ -173,7 +173,7 @@ Table count_moments_table(const LawRequest& request, CountLaws& laws) {
   for (const double n : request.sizes)
     for (const StatisticColumn& column : columns_of(request, n)) {
       const OrderCount count = count_of(column);
-      const Estimate mean = laws.mean(n, count), variance = laws.covariance(n, count, count);
+      const Approximation mean = laws.mean(n, count), variance = laws.covariance(n, count, count);
       table.add(table.row(n).text(column.name()).exact(mean.value).exact(variance.value),
                 {mean.error, variance.error});
     }
@@ -186,7 +186,7 @@ Table covariance_table(const LawRequest& request, CountLaws& laws) {
     const auto columns = columns_of(request, n);
     for (auto first = columns.begin(); first != columns.end(); ++first)
       for (auto second = first; second != columns.end(); ++second) {
-        const Estimate covariance = laws.covariance(n, count_of(*first), count_of(*second));
+        const Approximation covariance = laws.covariance(n, count_of(*first), count_of(*second));
         table.add(table.row(n).whole(0).text(first->name()).text(second->name()).exact(covariance.value),
                   {covariance.error});
       }
