@@ -150,19 +150,19 @@ INSTANTIATE_TEST_SUITE_P(Models, LargeOrdersOf, testing::ValuesIn(models()));
 /// E S of the uniform binary tree: over p of the sums over j of C(2n, n+1-J) - 2 C(2n, n-J) + C(2n, n-1-J), J
 /// = j 2^p, over C_n (theory of the register function; Flajolet, Raoult and Vuillemin 1979).
 double catalan_mean_order(double n) {
-  using Real = boost::multiprecision::cpp_bin_float_50;
-  const Real size = n;
+  using Precise = boost::multiprecision::cpp_bin_float_50;
+  const Precise size = n;
   // C(2n, n-m) / C(2n, n) = prod over i = 1..m of (n-m+i)/(n+i), by Stirling's series; m << n.
-  const auto log_factorial = [](const Real& x) {
-    const Real t = 1 / (x * x);
-    return (x + Real(1) / 2) * log(x) - x + (Real(1) / 12 - t * (Real(1) / 360 - t / 1260)) / x;
+  const auto log_factorial = [](const Precise& x) {
+    const Precise t = 1 / (x * x);
+    return (x + Precise(1) / 2) * log(x) - x + (Precise(1) / 12 - t * (Precise(1) / 360 - t / 1260)) / x;
   };
   const auto ratio = [&](double m) {
     return exp(2 * log_factorial(size) - log_factorial(size - m) - log_factorial(size + m));
   };
-  Real mean = 0;
+  Precise mean = 0;
   for (double power = 2; power <= n; power *= 2) {
-    Real tail = 0;
+    Precise tail = 0;
     for (double m = power; m < 12 * std::sqrt(n); m += power)
       tail += ratio(m - 1) - 2 * ratio(m) + ratio(m + 1);
     mean += tail * (size + 1);  // C(2n, n) = (n+1) C_n

@@ -16,13 +16,13 @@ using ramify::Model;
 using ramify::OrderCount;
 using ramify::Size;
 
-constexpr auto nodes = OrderCount::Of::nodes, streams = OrderCount::Of::streams;
+constexpr auto of_nodes = OrderCount::Of::nodes, of_streams = OrderCount::Of::streams;
 
 /// Nodes and streams of the orders from 0 to one that no tree of 4096 nodes has.
 std::vector<OrderCount> counts_to_order_13() {
   std::vector<OrderCount> counts;
   for (std::size_t k = 0; k <= 13; ++k)
-    for (const auto of : {nodes, streams}) counts.push_back({of, k});
+    for (const auto of : {of_nodes, of_streams}) counts.push_back({of, k});
   return counts;
 }
 
@@ -65,9 +65,9 @@ TEST(LargeOrderMoments, OfBstGrowLinearly) {
   const auto means = ramify::build_law(bst, small, ramify::OrderMeans(small));
   const auto exact = ramify::build_law(bst, small, ramify::OrderMoments(means, small));
   LargeOrders large(bst, {n});
-  EXPECT_NEAR(large.variance(n, {streams, 1}).value / (n + 1), 2.0 / 45, 1e-12);
-  for (const OrderCount a : {OrderCount{nodes, 1}, OrderCount{streams, 1}, OrderCount{streams, 2}})
-    for (const OrderCount b : {OrderCount{nodes, 1}, OrderCount{streams, 2}})
+  EXPECT_NEAR(large.variance(n, {of_streams, 1}).value / (n + 1), 2.0 / 45, 1e-12);
+  for (const OrderCount a : {OrderCount{of_nodes, 1}, OrderCount{of_streams, 1}, OrderCount{of_streams, 2}})
+    for (const OrderCount b : {OrderCount{of_nodes, 1}, OrderCount{of_streams, 2}})
       EXPECT_NEAR(large.covariance(n, a, b).value / (n + 1), exact.covariance(small, a, b) / (small + 1.0),
                   1e-9)
           << a.order << " " << b.order;
@@ -79,7 +79,7 @@ TEST(LargeOrderMoments, OfCatalanCherriesAreKnown) {
   constexpr double n = 1e7, m = n + 1;
   LargeOrders large(Model::parse("catalan"), {n});
   const double truth = m * (m - 1) * (m - 2) * (m - 3) / (2 * (2 * m - 3) * (2 * m - 3) * (2 * m - 5));
-  EXPECT_NEAR(large.variance(n, {streams, 1}).value / truth, 1, 1e-11);
+  EXPECT_NEAR(large.variance(n, {of_streams, 1}).value / truth, 1, 1e-11);
 }
 
 /// As covariances are (Cauchy and Schwarz).
@@ -87,9 +87,9 @@ TEST(LargeOrderMoments, AreSymmetricAndPositive) {
   constexpr double n = 1e6;
   LargeOrders large(Model::parse("beta(2,2)"), {n});
   for (std::size_t k = 1; k <= 9; ++k) {
-    const double node = large.variance(n, {nodes, k}).value, stream = large.variance(n, {streams, k}).value,
-                 both = large.covariance(n, {nodes, k}, {streams, k}).value;
-    EXPECT_DOUBLE_EQ(both, large.covariance(n, {streams, k}, {nodes, k}).value);
+    const double node = large.variance(n, {of_nodes, k}).value, stream = large.variance(n, {of_streams, k}).value,
+                 both = large.covariance(n, {of_nodes, k}, {of_streams, k}).value;
+    EXPECT_DOUBLE_EQ(both, large.covariance(n, {of_streams, k}, {of_nodes, k}).value);
     EXPECT_GT(node, 0);
     EXPECT_GT(stream, 0);
     EXPECT_LE(both * both, node * stream * (1 + 1e-9)) << k;
@@ -98,8 +98,8 @@ TEST(LargeOrderMoments, AreSymmetricAndPositive) {
 
 TEST(LargeOrderMoments, AreRefusedWhereMeansAreKnownTooBadly) {
   LargeOrders large(Model::parse("bst"), {1e6, 1e16});
-  EXPECT_GT(large.variance(1e6, {streams, 1}).value, 0);
-  EXPECT_THROW(large.variance(1e16, {streams, 1}), ramify::Error);
+  EXPECT_GT(large.variance(1e6, {of_streams, 1}).value, 0);
+  EXPECT_THROW(large.variance(1e16, {of_streams, 1}), ramify::Error);
 }
 
 }  // namespace
