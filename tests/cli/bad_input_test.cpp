@@ -90,9 +90,9 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"LawSizeTwice", "law --model bst --n 10,10 --statistic height", "given twice"},
         Case{"LawGridWithoutCount", "law --model bst --n 10:100 --statistic height", "from:to:count"},
         Case{"LawFractionalSize", "law --model bst --n 10,10.5 --statistic height", "whole number"},
-        Case{"LawAbove2To50", "law --model 'beta(2,2)' --n 2^51 --statistic height", "reaches every index"},
-        Case{"LawLargerThanMemory", "law --model bst --n 10,2^40 --statistic strahler", "TB of memory"},
-        Case{"LawTooLong", "law --model bst --n 5e5 --statistic depth", "--yes"},
+        Case{"LawAbove2To50", "law --model 'beta(2,2)' --n 2^51 --statistic height --exact", "reaches every index"},
+        Case{"LawLargerThanMemory", "law --model bst --n 10,2^40 --statistic strahler --exact", "TB of memory"},
+        Case{"LawTooLong", "law --model bst --n 5e5 --statistic depth --exact", "--yes"},
         Case{"NoDataFile", "fit data/no_such.csv", "no_such.csv"},
         Case{"UnknownObservable", "fit data/species.csv --observable order", "ratio"}),
     [](const auto& test) { return test.param.name; });

@@ -20,12 +20,17 @@ std::set<std::string> found_in(const std::string& text, const std::string& patte
   return found;
 }
 
+/// Whose paths are made of letters and numbers.
+bool is_picture(const std::filesystem::path& path) {
+  return path.extension() == ".svg" || path.extension() == ".png";
+}
+
 /// Everything that may cite the catalogue: sources, pages and lists of the program.
 std::string citing_text() {
   std::string text;
   for (const char* folder : {"src", "experiments", "docs"})
     for (const auto& entry : std::filesystem::recursive_directory_iterator(source / folder))
-      if (entry.is_regular_file()) text += read_file(entry.path());
+      if (entry.is_regular_file() && !is_picture(entry.path())) text += read_file(entry.path());
   for (const char* list : {"models", "statistics", "claims", "presets"})
     text += ramify(std::string("list ") + list).out;
   return text + read_file(source / "README.md");

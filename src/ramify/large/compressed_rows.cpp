@@ -20,8 +20,9 @@ constexpr double whole_to = 2000;         // leaves of a child, at most, on pane
 constexpr double near_the_middle =
     0.47;                             // share where they end in small sizes: about 1/2 odd derivatives vanish
 constexpr double widest_whole = 0.7;  // log of the ratio of such a panel's ends
+constexpr double ties_to =
+    1e14;  // leaves: beyond, ties of a binomial law weigh less than 1e-7, and a kink there 1e-14
 constexpr double negligible = 1e-42;
-constexpr double lowest_log_share = -97;  // log(1e-42)
 
 double log_sum(double a, double b) {
   const double high = std::max(a, b);
@@ -143,7 +144,7 @@ class CompressedRows::Builder {
   /// And less of it where smaller children end; from below, for beyond them another child is the smaller one.
   void add_upper_end() {
     static const auto rule = end_rule({-1, -2, -3, -4, -5, -6, -7, -8});
-    add_end(last_smaller(), -1, rule);
+    if (leaves_ < 1e12) add_end(last_smaller(), -1, rule);  // beyond it is below rounding
   }
 
   /// The split of an even n-1 into equal children, of the parity that the residue of n tells.
@@ -176,9 +177,7 @@ class CompressedRows::Builder {
     places_.back().larger_residue = static_cast<Residue>((*residue_ + 2 * residues - 1 - q) % residues);
   }
 
-  /// Where nothing smooth is left to correct, leaves / 1e12 times, it is left out.
   void add_end(double smaller, double sign, const EndRule& rule) {
-    if (leaves_ > 1e12) return;
     const double h = std::min(smaller / 200, 0.04 * std::sqrt(leaves_));
     for (int r = 0; r < end_nodes; ++r)
       add(smaller + h * rule.at[r],
@@ -202,17 +201,22 @@ CompressedRows::CompressedRows(const Model& model, double step, double largest_l
     : split_(real_split_of(model)), step_(step) {
   RAMIFY_EXPECTS(exist(model));
   const SplitFraction fraction = model.character().fraction;
-  if (const auto* beta = std::get_if<BetaFraction>(&fraction); beta != nullptr && beta->is_density()) {
+  if (const auto* beta = std::get_if<BetaFraction>(&fraction)) {
     a_ = beta->a;
     b_ = beta->b;
-    mean_ = a_ / (a_ + b_);
-    deviation_ = std::sqrt(mean_ * (1 - mean_) / (a_ + b_ + 1));
+    if (beta->is_density()) {
+      mean_ = a_ / (a_ + b_);
+      deviation_ = std::sqrt(mean_ * (1 - mean_) / (a_ + b_ + 1));
+    }
+  } else if (const auto* none = std::get_if<NoFraction>(&fraction)) {
+    a_ = b_ = -none->depth_exponent;
   } else if (const auto* constant = std::get_if<ConstantFraction>(&fraction)) {
     mean_ = constant->p;
-    deviation_ = std::sqrt(mean_ * (1 - mean_) / largest_leaves);
+    deviation_ = std::sqrt(mean_ * (1 - mean_) / std::min(largest_leaves, ties_to));
   }
   edges_ = {-std::numbers::ln2};
-  while (edges_.back() > lowest_log_share) edges_.push_back(edges_.back() - panel_width(edges_.back()));
+  const double lowest = std::min(0.0, std::log(whole_to / largest_leaves)) - widest_whole;
+  while (edges_.back() > lowest) edges_.push_back(edges_.back() - panel_width(edges_.back()));
 }
 
 /// The widest panel, in the log of the share, on which ten points do.
@@ -223,8 +227,10 @@ double CompressedRows::panel_width(double log_share) const {
     width = std::min(width, std::max(2 * deviation_, std::abs(share - mean) / 2) / share);
   for (const auto& [a, b] : {std::pair(a_, b_), std::pair(b_, a_)}) {
     const double slope = std::abs(a * (1 - share) - b * share) / (1 - share);
+    // Where the weight at the ends is most of it, all of its panels count.
+    if (a <= 0) width = std::min(width, 4 / slope);
     const double spread = 2 * std::sqrt(share * (1 - share) / (a + b + 1)) / share;
-    width = std::min(width, std::max(8 / slope, spread));
+    if (a > 0) width = std::min(width, std::max(8 / slope, spread));
   }
   return width;
 }
@@ -278,7 +284,7 @@ CompressedRow CompressedRows::row(double leaves, std::optional<Residue> residue)
   RAMIFY_EXPECTS(leaves >= 4 * ends_of_residues);
   if (const auto* binomial = std::get_if<BinomialSplit>(&split_)) {
     const double deviation = std::sqrt(mean_ * (1 - mean_) * leaves);
-    const bool ties = std::abs(mean_ - 0.5) * leaves < 14 * deviation;
+    const bool ties = leaves <= ties_to && std::abs(mean_ - 0.5) * leaves < 14 * deviation;
     if (!residue || !ties) return binomial_row(*binomial, leaves, residue);
   }
   Builder row(split_, leaves, residue);

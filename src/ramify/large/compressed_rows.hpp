@@ -70,7 +70,7 @@ class CompressedRows {
 
   RealSplit split_;
   double mean_ = 0.5, deviation_ = 1;  ///< of the share of one side; 1 where nothing is concentrated
-  double a_ = 1, b_ = 1;               ///< the density's exponents, of a beta law
+  double a_ = 1, b_ = 1;               ///< exponents of the share near its ends
   double step_;
   std::vector<double> edges_;  ///< of panels, in the log of the share, from log(1/2) down
 };

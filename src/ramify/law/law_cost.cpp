@@ -42,7 +42,7 @@ struct UseOf {
   // The width at half the size stands for the mean over all sizes.
   Use operator()(LongestPath) const {
     const double width = height_width(model, n / 2);
-    return {12 * width + 36, width};
+    return {13 * width + 36, width};
   }
   Use operator()(WeightedWalk) const {
     const double width = depth_width(model, n / 2);

@@ -19,7 +19,7 @@ struct LawCost {
 
 /// With K = floor(log2(n+1)), D = 2K and w the mean number of values stored for one size (law_width.hpp):
 ///   BoundedJoin    3 (K+3) series of n+1 doubles
-///   LongestPath    (12 w + 36) n bytes: a vector that grows holds one and a half times what is in it
+///   LongestPath    (13 w + 36) n bytes: a vector that grows holds one and a half times what is in it
 ///   WeightedWalk   (8 w + 64) n bytes
 ///   NodeSum        2 series
 ///   CountOfOrder   3 (K+3) + 2 (K+1) series for the means, and D (2K+4) + D (D+1)/2 for the covariances
