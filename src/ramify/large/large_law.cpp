@@ -32,8 +32,8 @@ class LargeLaw::Solution {
  public:
   Solution(const Model& model, const Recurrence& recurrence, Size table, double step, double largest_n,
            const Cancellation& cancellation)
-      : grid_(table, step, largest_n + 1) {
-    const CompressedRows rows(model, step, largest_n + 1);
+      : grid_(table, step, largest_n + 1), rows_(model, step, largest_n + 1) {
+    const CompressedRows& rows = rows_;
     const auto exact = [&](auto law) {
       return build_law(model, table + residue_reach, std::move(law), cancellation);
     };
@@ -45,6 +45,7 @@ class LargeLaw::Solution {
         solve_lowest(law, rows, cancellation);
       else
         join_.emplace(*join->rule, grid_, rows, law, cancellation);
+      tells_ties_ = join->rule->tells_ties();
     } else if (const auto* walk = std::get_if<WeightedWalk>(&recurrence)) {
       solve_walk(*walk, exact(DepthLaw(*walk)), rows, cancellation);
     } else {
@@ -61,6 +62,15 @@ class LargeLaw::Solution {
   ~Solution() = default;
 
   bool has_law() const { return !sum_; }
+
+  /// What no solution sees of a law that tells ties: n modulo 8 and so on, three ties in a row of
+  /// generations. 0 of others.
+  double unseen(double n) const {
+    if (!tells_ties_) return 0;
+    double tie = 0;
+    for (const SplitPlace& split : rows_.row(n + 1, Residue{1}).places) tie += split.equal ? split.weight : 0;
+    return 2 * tie * tie * tie;
+  }
 
   Moments moments(double n) const { return sum_ ? sum_->moments(n) : moments_of_tail(tail(n)); }
 
@@ -108,6 +118,8 @@ class LargeLaw::Solution {
   }
 
   SizeGrid grid_;
+  CompressedRows rows_;
+  bool tells_ties_ = false;
   bool of_the_lowest_ = false;  ///< levels_ are P(V < k), not P(V > k)
   std::optional<LargeJoin> join_;
   std::optional<LargeLevels> levels_;
@@ -137,8 +149,12 @@ LargeLaw::~LargeLaw() = default;
 LargeMoments LargeLaw::moments_of(const Refined<Solution>& solutions, double n) {
   const Moments fine = solutions.fine().moments(n), coarse = solutions.coarse().moments(n),
                 early = solutions.early().moments(n);
-  return {Refined<Solution>::combined(fine.mean, coarse.mean, early.mean),
-          Refined<Solution>::combined(fine.variance, coarse.variance, early.variance)};
+  LargeMoments moments{Refined<Solution>::combined(fine.mean, coarse.mean, early.mean),
+                       Refined<Solution>::combined(fine.variance, coarse.variance, early.variance)};
+  const double unseen = solutions.fine().unseen(n);
+  moments.mean.error += unseen;
+  moments.variance.error += unseen;
+  return moments;
 }
 
 LargeMoments LargeLaw::moments(double n) const {
@@ -152,15 +168,17 @@ std::optional<LargeFiniteLaw> LargeLaw::law(double n) const {
   for (const auto& tail : tails) values = std::max(values, tail.size());
   for (auto& tail : tails) tail.resize(values + 1, 0.0);
   LargeFiniteLaw law{0, {}};
+  const double unseen = solutions_->fine().unseen(n);
+  const auto is_nothing = [](const Approximation& p) { return p.value <= p.error && p.value < 1e-12; };
   for (std::size_t k = 0; k < values; ++k) {
     const auto probability = [&](std::size_t s) { return std::max(0.0, tails[s][k] - tails[s][k + 1]); };
     Approximation p = Refined<Solution>::combined(probability(0), probability(1), probability(2));
     if (tails[0][k] > 0.5) p.error += Refined<Solution>::rounding;  // a difference of what is nearly 1
+    p.error += unseen;
     if (law.probabilities.empty()) law.first = static_cast<double>(k);
-    if (p.value > p.error || !law.probabilities.empty()) law.probabilities.push_back(p);
+    if (!is_nothing(p) || !law.probabilities.empty()) law.probabilities.push_back(p);
   }
-  while (!law.probabilities.empty() && law.probabilities.back().value <= law.probabilities.back().error)
-    law.probabilities.pop_back();
+  while (!law.probabilities.empty() && is_nothing(law.probabilities.back())) law.probabilities.pop_back();
   return law;
 }
 
