@@ -154,36 +154,32 @@ RecordedTree NewickReader::next() {
     if (position_ == text_.size())
       refuse(position_, "the text ends within a tree",
              fmt::format("{} '(' left open and no ';' seen", open_.size()), "restore what was cut off");
-    switch (peek()) {
-      case '(':
-        open();
-        break;
-      case ')':
-        close();
-        break;
-      case ',':
-        comma();
-        break;
-      case ':':
-        length();
-        break;
-      case ';':
-        finish();
-        return std::move(tree_);
-      case ']':
-        refuse(position_, "a ']' without its '['", "brackets hold comments", "remove it");
-      case '{':
-        skip_braces();
-        break;
-      case '\0':
-        refuse(position_, "a zero byte", "this is no text", "give a text file of trees");
-      default:
-        if (node_ != no_node && at_mark()) {
-          skip_mark();
-        } else {
-          label();
-        }
+    if (peek() == ';') {
+      finish();
+      return std::move(tree_);
     }
+    read_part();
+  }
+}
+
+void NewickReader::read_part() {
+  switch (peek()) {
+    case '(':
+      return open();
+    case ')':
+      return close();
+    case ',':
+      return comma();
+    case ':':
+      return length();
+    case '{':
+      return skip_braces();
+    case ']':
+      refuse(position_, "a ']' without its '['", "brackets hold comments", "remove it");
+    case '\0':
+      refuse(position_, "a zero byte", "this is no text", "give a text file of trees");
+    default:
+      return node_ != no_node && at_mark() ? skip_mark() : label();
   }
 }
 

@@ -38,6 +38,8 @@ class NewickReader {
   void unquoted_label();
   bool at_mark() const;
   void skip_mark();
+  /// One part of a tree but its end: a bracket, a comma, a label, a length.
+  void read_part();
   void skip_braces();
   void length();
   bool missing_length();

@@ -160,7 +160,7 @@ std::string plain_column(std::string_view column) {
   }
   std::erase_if(name, [](char c) {
     const auto byte = static_cast<unsigned char>(c);
-    return byte < 0x80 && !(c >= 'a' && c <= 'z') && !(c >= '0' && c <= '9');
+    return byte < 0x80 && (c < 'a' || c > 'z') && (c < '0' || c > '9');
   });
   return name;
 }

@@ -24,7 +24,7 @@ std::string_view expected_columns(TableKind kind) {
   return {};
 }
 
-auto columns_of(TableKind kind) {
+auto finder_of(TableKind kind) {
   switch (kind) {
     case TableKind::edges:
       return &edge_columns;
@@ -75,7 +75,7 @@ TableColumns treeqsm_columns() {
 
 std::optional<TableKind> announced_table(const Header& header) {
   for (const TableKind kind : {TableKind::flowlines, TableKind::qsm, TableKind::edges})
-    if (columns_of(kind)(header)) return kind;
+    if (finder_of(kind)(header)) return kind;
   return std::nullopt;
 }
 
@@ -120,20 +120,19 @@ void require_fields(const DelimitedRows& rows, std::size_t expected) {
                             fmt::format("the first row has {}", expected), "give every row as many fields");
 }
 
-TableLayout layout_below_header(DelimitedRows& rows,
-                                std::optional<TableColumns> (*columns_of)(const Header&)) {
+TableLayout layout_below_header(DelimitedRows& rows, std::optional<TableColumns> (*find)(const Header&)) {
   Header header = rows.fields();
   if (!rows.next())
     throw rows.source().error(rows.source().text().size(), "no rows", "a tree has a node at least",
                               "add rows below the header");
   if (rows.fields().size() == header.size() + 4) header = with_points_spread(header);
   if (has_row_names(rows, header.size())) header.insert(header.begin(), std::string_view());
-  const auto columns = columns_of(header);
+  const auto columns = find(header);
   return {*columns, header};
 }
 
 TableLayout read_table_layout(DelimitedRows& rows, TableKind kind) {
-  const auto find = columns_of(kind);
+  const auto find = finder_of(kind);
   if (find(rows.fields())) return layout_below_header(rows, find);
   const Header comment = rows.commented_header();
   if (comment.size() == rows.fields().size())

@@ -40,7 +40,9 @@ class LargeLaw {
   /// @param sizes       those that are asked for, at most largest_law_size
   LargeLaw(const Model& model, const Recurrence& recurrence, const std::vector<double>& sizes,
            const Cancellation& cancellation = {});
+  LargeLaw(const LargeLaw&) = delete;
   LargeLaw(LargeLaw&&) noexcept;
+  LargeLaw& operator=(const LargeLaw&) = delete;
   LargeLaw& operator=(LargeLaw&&) noexcept;
   ~LargeLaw();
 
@@ -55,13 +57,5 @@ class LargeLaw {
   static LargeMoments moments_of(const Refined<Solution>& solutions, double n);
   std::unique_ptr<Refined<Solution>> solutions_;
 };
-
-/// Throws Error where a model's laws end with its exact ones: of a file, or where an end of the range is out
-/// of reach.
-void require_large_laws(const Model& model);
-bool has_large_laws(const Model& model);
-
-/// The sizes 0..n that are computed exactly before the grid begins.
-Size large_law_table(const Model& model);
 
 }  // namespace ramify

@@ -23,7 +23,9 @@ class LargeOrders {
   /// @param model  with large laws (large_reach.hpp)
   /// @param sizes  those that are asked for, at most largest_law_size
   LargeOrders(const Model& model, const std::vector<double>& sizes, const Cancellation& cancellation = {});
+  LargeOrders(const LargeOrders&) = delete;
   LargeOrders(LargeOrders&&) noexcept;
+  LargeOrders& operator=(const LargeOrders&) = delete;
   LargeOrders& operator=(LargeOrders&&) noexcept;
   ~LargeOrders();
 

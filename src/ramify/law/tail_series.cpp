@@ -31,7 +31,7 @@ double over_either_child(const SplitRow& row, const TailSeries& event) {
   // Sizes i of the smaller child: from `apart` on the two events happen together often enough to matter.
   const Size begin = row.first, end = row.first + row.weights.size();
   const Size apart = std::clamp(event.likely_, begin, end);
-  const auto weights = [&](Size from, Size to) { return between(row.weights.data(), begin, from, to); };
+  const auto weights = [&](Size from, Size to) { return between(row.weights.data(), row.first, from, to); };
   const auto smaller = [&](Size from, Size to) {
     return between(event.values_.data(), event.first_, from, to);
   };

@@ -25,6 +25,7 @@ struct ColumnSummary {
   double min = none, q05 = none, q50 = none, q95 = none, max = none;
   /// Value and number of trees; kept where there are at most histogram_values different whole values, else
   /// empty.
+  // NOLINTNEXTLINE(readability-redundant-member-init): -Wextra wants it where an aggregate leaves it out
   std::vector<std::pair<std::int64_t, std::uint64_t>> histogram = {};
 
   static constexpr std::size_t histogram_values = 64;

@@ -31,8 +31,10 @@ struct JoinRule {
   /// The same for P(V >= k), k >= 1, of terms `from` and `below` alone: upper tails as sums of positive
   /// products. Empty where V is 1 + the lower of the children's values, whose P(V < k) is that of either
   /// child being below k-1.
+  // NOLINTBEGIN(readability-redundant-member-init): -Wextra wants them where an aggregate leaves one out
   std::span<const JoinTerm> upper_unequal = {};
   std::span<const JoinTerm> upper_equal = {};
+  // NOLINTEND(readability-redundant-member-init)
 
   bool takes_the_lower() const { return upper_unequal.empty(); }
   bool tells_ties() const { return unequal.data() != equal.data(); }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "ramify/large/large_law.hpp"
 #include "ramify/large/large_orders.hpp"
@@ -20,8 +21,11 @@ constexpr double exact = std::numeric_limits<double>::quiet_NaN();  // an error 
 /// The table of a request: with columns for errors where some of its sizes lie beyond the exact laws.
 class LawTable {
  public:
-  LawTable(const LawRequest& request, std::vector<std::string> columns, std::vector<std::string> errors)
-      : request_(&request), has_errors_(!request.large_sizes().empty()), table_(with(columns, errors)) {}
+  LawTable(const LawRequest& request, std::vector<std::string> columns,
+           const std::vector<std::string>& errors)
+      : request_(&request),
+        has_errors_(!request.large_sizes().empty()),
+        table_(with(std::move(columns), errors)) {}
 
   Row row(double n) const {
     Row row;
