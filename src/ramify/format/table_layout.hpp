@@ -21,8 +21,8 @@ struct TableLayout {
 TableLayout read_table_layout(DelimitedRows& rows, TableKind kind);
 
 /// The same of a table with such columns in a header where `rows` stands.
-TableLayout layout_below_header(
-    DelimitedRows& rows, std::optional<TableColumns> (*columns_of)(const std::vector<std::string_view>&));
+TableLayout layout_below_header(DelimitedRows& rows,
+                                std::optional<TableColumns> (*find)(const std::vector<std::string_view>&));
 
 /// Whether every row has one field before those of the header, as R writes the names of rows: an empty field
 /// too many at the end of all rows is none. `rows` stands at its first row of data.

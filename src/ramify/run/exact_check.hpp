@@ -13,8 +13,9 @@ struct FinishedCell {
   CellResult result;
 };
 
-/// Puts the exact finite-n mean and the z-score beside every sampled mean whose law is in reach (large/finite_means.hpp). The laws of
-/// one model are computed once, models on up to `threads` threads; the outcome does not depend on that.
+/// Puts the exact finite-n mean and the z-score beside every sampled mean whose law is in reach
+/// (large/finite_means.hpp). The laws of one model are computed once, models on up to `threads` threads; the
+/// outcome does not depend on that.
 std::vector<CheckedCell> check_against_exact_laws(const Plan& plan, std::vector<FinishedCell> cells,
                                                   unsigned threads);
 

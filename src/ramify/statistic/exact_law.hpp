@@ -10,8 +10,8 @@
 
 namespace ramify {
 
-// How the exact law of a statistic of split trees follows from size to size, as data: law/ computes it, large/ beyond some
-// thousand nodes.
+// How the exact law of a statistic of split trees follows from size to size, as data: law/ computes it,
+// large/ beyond some thousand nodes.
 
 /// The largest n of any law.
 inline constexpr double largest_law_size = 1e300;

@@ -73,7 +73,8 @@ class Resolver {
     const std::size_t size = group.end - group.begin;
     out_.names.set(arity_.size(), tree_.names[node]);
     add(static_cast<std::uint32_t>(std::min<std::size_t>(size, 2)),
-        tree_.lengths.empty() ? unknown : tree_.lengths[node], tree_.radii.empty() ? unknown : tree_.radii[node]);
+        tree_.lengths.empty() ? unknown : tree_.lengths[node],
+        tree_.radii.empty() ? unknown : tree_.radii[node]);
     if (size == 1) pending_.push_back(group);
     if (size > 2 && resolution_ == ForkResolution::random) shuffle(group);
     if (size > 1) split(group);
