@@ -45,17 +45,21 @@ inline std::string measured_text(std::string_view text, const ReadOptions& optio
   return message.empty() ? all : "refused: " + message;
 }
 
+/// The answer, or a refusal that says what the fixture's does.
+inline void expect_answer(const Fixture& fixture, const std::string& found) {
+  const std::string answer = fixture.answer;
+  const bool is_right =
+      answer.starts_with("refused: ")
+          ? found.starts_with("refused: ") && found.find(answer.substr(9)) != std::string::npos
+          : found == answer;
+  EXPECT_TRUE(is_right) << fixture.writer << '\n'
+                        << fixture.text << "\nright: " << answer << "\nfound: " << found;
+}
+
 inline void expect_answers(const std::vector<Fixture>& fixtures) {
   for (const Fixture& fixture : fixtures) {
     Remarks remarks;
-    const std::string found = measured_text(fixture.text, fixture.options, remarks);
-    const std::string answer = fixture.answer;
-    const bool is_right =
-        answer.starts_with("refused: ")
-            ? found.starts_with("refused: ") && found.find(answer.substr(9)) != std::string::npos
-            : found == answer;
-    EXPECT_TRUE(is_right) << fixture.writer << '\n'
-                          << fixture.text << "\nright: " << answer << "\nfound: " << found;
+    expect_answer(fixture, measured_text(fixture.text, fixture.options, remarks));
   }
 }
 
