@@ -9,9 +9,7 @@ std::vector<PlacedSplit> placed_row(const SizeGrid& grid, const CompressedRows& 
   placed.reserve(row.places.size());
   for (const SplitPlace& split : row.places) {
     const double larger_leaves = row.leaves - split.smaller;
-    const Stencil smaller = grid.is_in_table(place, split.log_smaller)
-                                ? grid.in_table(split.smaller)
-                                : grid.centred(place, split.log_smaller);
+    const Stencil smaller = grid.of_child(place, split.smaller, split.log_smaller);
     const OwnStencil larger = grid.is_in_table(place, split.log_larger)
                                   ? OwnStencil{grid.in_table(larger_leaves)}
                                   : grid.one_sided(place, split.log_larger);

@@ -53,17 +53,14 @@ std::uint32_t LargeLevels::kept(const Stencil& stencil) {
 
 void LargeLevels::prepare(const LevelJoin& join, const CompressedRows& rows,
                           const Cancellation& cancellation) {
-  const auto stencil = [this](std::size_t place, double leaves, double log_share) {
-    return grid_->is_in_table(place, log_share) ? grid_->in_table(leaves) : grid_->centred(place, log_share);
-  };
   for (std::size_t place = grid_->first_new_point(); place < grid_->places(); ++place) {
     if (cancellation.requested()) throw Interrupted();
     begin_.push_back(places_.size());
     const CompressedRow row = rows.row(grid_->leaves(place));
     for (const SplitPlace& split : row.places) {
       const double larger = row.leaves - split.smaller;
-      const Stencil of_smaller = stencil(place, split.smaller, split.log_smaller),
-                    of_larger = stencil(place, larger, split.log_larger);
+      const Stencil of_smaller = grid_->of_child(place, split.smaller, split.log_smaller),
+                    of_larger = grid_->of_child(place, larger, split.log_larger);
       Place& added = places_.emplace_back(Place{static_cast<std::uint32_t>(of_smaller.first),
                                                 static_cast<std::uint32_t>(of_larger.first), kept(of_smaller),
                                                 kept(of_larger), split.weight, split.weight, split.weight});

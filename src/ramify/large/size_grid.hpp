@@ -56,7 +56,12 @@ class SizeGrid {
   /// Of leaves(place) exp(log_share), centred. log_share <= 0, the result above the seam or within the lead.
   Stencil centred(std::size_t place, double log_share) const;
 
-  /// The same from places up to `place` alone.
+  /// Of a child of a place, by its leaves within the table, by its share of leaves(place) above.
+  Stencil of_child(std::size_t place, double leaves, double log_share) const {
+    return is_in_table(place, log_share) ? in_table(leaves) : centred(place, log_share);
+  }
+
+  /// The same as centred, from places up to `place` alone.
   OwnStencil one_sided(std::size_t place, double log_share) const;
 
   /// Of any number of leaves up to `largest`.
