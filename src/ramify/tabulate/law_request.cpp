@@ -71,8 +71,9 @@ double LawRequest::exact_to() const {
 
 std::vector<Size> LawRequest::exact_sizes() const {
   std::vector<Size> below;
+  const double end = exact_to();
   for (const double n : sizes)
-    if (n <= exact_to()) below.push_back(static_cast<Size>(std::min(n, 0x1p63)));
+    if (n <= end) below.push_back(static_cast<Size>(std::min(n, 0x1p63)));
   return below;
 }
 
