@@ -115,8 +115,9 @@ class CompressedRows::Builder {
     put(w, smaller, std::log(smaller / leaves_), static_cast<Residue>(std::fmod(smaller - 1, residues)));
   }
 
-  /// Where the sums over whole numbers of every residue become integrals from half a number below `ends` on:
-  /// the sum of residue q begins at ends + q, and stands for an integral from residues/2 below that.
+  /// Where the sums over whole numbers of every residue become integrals from half a number above
+  /// ends_of_residues on: that of residue q begins at ends_of_residues + 1 + q, and stands for an integral
+  /// from residues/2 below.
   void add_begin_of_residues() {
     if (!residue_) return;
     const double smaller = ends_of_residues + 0.5, w = weight(smaller),
@@ -250,12 +251,13 @@ CompressedRow CompressedRows::binomial_row(const BinomialSplit& split, double le
   return row.finished();
 }
 
-/// From whole_below down to the ends.
-void CompressedRows::add_whole_panels(Builder& row, double leaves, double ends, double whole_below) const {
+/// From whole_below down to the last that is summed by itself.
+void CompressedRows::add_whole_panels(Builder& row, double leaves, double last_alone,
+                                      double whole_below) const {
   double high = whole_below;
-  while (high > ends + 1) {
+  while (high > last_alone + 1) {
     const double width = std::min(widest_whole, panel_width(std::log(high / leaves)));
-    const double low = std::max(ends + 1, std::floor(high * std::exp(-width)));
+    const double low = std::max(last_alone + 1, std::floor(high * std::exp(-width)));
     const double count = high - low;
     if (count <= rule_points + 2) {
       for (double x = low; x < high; ++x) row.add(x, 1);
@@ -294,9 +296,7 @@ CompressedRow CompressedRows::row(double leaves, std::optional<Residue> residue)
   row.add_begin_of_residues();
   add_whole_panels(row, leaves, last_alone, whole_below);
   row.add_lower_end(whole_below - 0.5);
-  const bool to_the_middle = row.last_smaller() == leaves / 2;
-  add_panels(row, leaves, std::log((whole_below - 0.5) / leaves),
-             to_the_middle ? -std::numbers::ln2 : std::log(row.last_smaller() / leaves));
+  add_panels(row, leaves, std::log((whole_below - 0.5) / leaves), std::log(row.last_smaller() / leaves));
   if (residue) {
     row.add_upper_end();
     row.add_end_of_residues();

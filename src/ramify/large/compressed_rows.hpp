@@ -65,7 +65,7 @@ class CompressedRows {
   class Builder;
   double panel_width(double log_share) const;
   CompressedRow binomial_row(const BinomialSplit& split, double leaves, std::optional<Residue> residue) const;
-  void add_whole_panels(Builder& row, double leaves, double ends, double whole_below) const;
+  void add_whole_panels(Builder& row, double leaves, double last_alone, double whole_below) const;
   void add_panels(Builder& row, double leaves, double bottom, double top) const;
 
   RealSplit split_;

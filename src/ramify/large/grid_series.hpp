@@ -50,8 +50,7 @@ class GridSeries {
     return sum;
   }
 
-  /// The value there minus `base`: differences, so that a slow series keeps its digits. The weights sum to
-  /// `total`.
+  /// The weighted values there, each minus `base`: differences, so that a slow series keeps its digits.
   double above(const Stencil& stencil, Residue q, double base) const {
     double sum = 0;
     for (std::size_t r = 0; r < Stencil::width; ++r)

@@ -33,26 +33,25 @@ class LargeLaw::Solution {
   Solution(const Model& model, const Recurrence& recurrence, Size table, double step, double largest_n,
            const Cancellation& cancellation)
       : grid_(table, step, largest_n + 1), rows_(model, step, largest_n + 1) {
-    const CompressedRows& rows = rows_;
     const auto exact = [&](auto law) {
       return build_law(model, table + residue_reach, std::move(law), cancellation);
     };
     if (const auto* sum = std::get_if<NodeSum>(&recurrence)) {
-      sum_.emplace(*sum, grid_, rows, exact(NodeSumLaw(*sum)), cancellation);
+      sum_.emplace(*sum, grid_, rows_, exact(NodeSumLaw(*sum)), cancellation);
     } else if (const auto* join = std::get_if<BoundedJoin>(&recurrence)) {
       const BoundedLaw law = exact(BoundedLaw(*join, table + residue_reach));
       if (join->rule->takes_the_lower())
-        solve_lowest(law, rows, cancellation);
+        solve_lowest(law, cancellation);
       else
-        join_.emplace(*join->rule, grid_, rows, law, cancellation);
+        join_.emplace(*join->rule, grid_, rows_, law, cancellation);
       tells_ties_ = join->rule->tells_ties();
     } else if (const auto* walk = std::get_if<WeightedWalk>(&recurrence)) {
-      solve_walk(*walk, exact(DepthLaw(*walk)), rows, cancellation);
+      solve_walk(*walk, exact(DepthLaw(*walk)), cancellation);
     } else {
       RAMIFY_EXPECTS(std::holds_alternative<LongestPath>(recurrence));
       const HeightLaw law = exact(HeightLaw());
       levels_.emplace(
-          LevelJoin{}, grid_, rows, [&law](Size n, std::size_t h) { return law.above(n, h); }, cancellation);
+          LevelJoin{}, grid_, rows_, [&law](Size n, std::size_t h) { return law.above(n, h); }, cancellation);
     }
   }
   Solution(const Solution&) = delete;  // the computations refer to grid_
@@ -88,17 +87,16 @@ class LargeLaw::Solution {
 
  private:
   /// 1 + the lower of the children's values, by P(V < k).
-  void solve_lowest(const BoundedLaw& law, const CompressedRows& rows, const Cancellation& cancellation) {
+  void solve_lowest(const BoundedLaw& law, const Cancellation& cancellation) {
     of_the_lowest_ = true;
     const auto top = static_cast<std::size_t>(std::log2(static_cast<double>(law.sizes())));
     const auto below = [&](Size n, std::size_t k) {
       return k > top ? 1.0 : law.all_sizes(LawForm::below, static_cast<std::ptrdiff_t>(k))[n];
     };
-    levels_.emplace(LevelJoin{nullptr, false}, grid_, rows, below, cancellation);
+    levels_.emplace(LevelJoin{nullptr, false}, grid_, rows_, below, cancellation);
   }
 
-  void solve_walk(WeightedWalk walk, const DepthLaw& law, const CompressedRows& rows,
-                  const Cancellation& cancellation) {
+  void solve_walk(WeightedWalk walk, const DepthLaw& law, const Cancellation& cancellation) {
     const auto weight = static_cast<double>(walk.weight_of_none);
     const auto share = [weight](double child, double all) {
       return (child - 1 + weight) / (all - 2 + 2 * weight);
@@ -114,7 +112,7 @@ class LargeLaw::Solution {
       const std::size_t i = d - law.lowest(n) + 1;
       return i < above[n].size() ? above[n][i] : 0.0;
     };
-    levels_.emplace(LevelJoin{share, true}, grid_, rows, table, cancellation);
+    levels_.emplace(LevelJoin{share, true}, grid_, rows_, table, cancellation);
   }
 
   SizeGrid grid_;

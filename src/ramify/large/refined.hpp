@@ -17,8 +17,8 @@ struct Approximation {
 
 /// Three computations of the same laws of large trees: from the exact laws to `table` on a grid of step d; on
 /// one of step 2d; and so from the exact laws to table/2. What their answers differ by tells the error of the
-/// first: the grid's falls like d^8 (divided by 8 here, not by 256: it need not yet), the seam's is taken as
-/// it is.
+/// first: the grid's falls like d^8 (divided by 8 here, not by 256: it need not yet), the seam's counts
+/// three times, for it may be small by chance.
 template <class Solution>
 class Refined {
  public:
