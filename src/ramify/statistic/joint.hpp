@@ -108,7 +108,8 @@ class Joint {
   }
 
   template <class Label, class Labels, class Values, std::size_t... I>
-  Value join_each(const Label& label, const Labels& labels, const Values& values, std::index_sequence<I...>) {
+  [[gnu::always_inline]] Value join_each(const Label& label, const Labels& labels, const Values& values,
+                                         std::index_sequence<I...>) {
     return pack(std::get<I>(folds_).join(label, labels, column<I>(values))...);
   }
 

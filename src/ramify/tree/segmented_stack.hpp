@@ -22,7 +22,7 @@ class SegmentedStack {
     return *top_;
   }
 
-  void push(const T& item) {
+  [[gnu::always_inline]] void push(const T& item) {
     if (top_ == end_) next_segment();
     *++top_ = item;
   }
@@ -49,7 +49,7 @@ class SegmentedStack {
     top_ = base_ + items;
   }
 
-  void next_segment() {
+  [[gnu::noinline]] void next_segment() {
     const std::size_t next = segments_.empty() ? 0 : segment_ + 1;
     if (next == segments_.size()) segments_.emplace_back(new T[segment_items]);
     enter(next, 0);
