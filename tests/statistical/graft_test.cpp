@@ -102,7 +102,7 @@ void expect_counts_of_the_exact_means(const Model& model, FoldSet pass, const st
   const ExactMeans exact(model, size);
   for (const auto& [column, mean] : means)
     EXPECT_TRUE(test::agrees(
-        test::z_test(name + " " + column, mean, exact.moments(test::column(column), size)->mean)));
+        test::z_test_of_counts(name + " " + column, mean, exact.moments(test::column(column), size)->mean)));
 }
 
 class Grafted : public testing::TestWithParam<std::string> {};

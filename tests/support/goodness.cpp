@@ -1,5 +1,6 @@
 #include "support/goodness.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <limits>
@@ -123,15 +124,29 @@ double SampleMean::standard_error() const {
   return std::sqrt(squares_ / (count_ - 1) / count_);
 }
 
-Goodness z_test(const std::string& what, const SampleMean& sample, double exact) {
+namespace {
+
+Goodness z_test_by(const std::string& what, double mean, double standard_error, double exact) {
   std::ostringstream text;
   text.precision(8);
-  text << what << ", mean " << sample.mean() << " +- " << sample.standard_error() << " for " << exact;
-  const double difference = sample.mean() - exact;
-  if (sample.standard_error() == 0) return {text.str(), difference, 0, difference == 0 ? 1.0 : 0.0};
-  const double z = difference / sample.standard_error();
+  text << what << ", mean " << mean << " +- " << standard_error << " for " << exact;
+  const double difference = mean - exact;
+  if (standard_error == 0) return {text.str(), difference, 0, difference == 0 ? 1.0 : 0.0};
+  const double z = difference / standard_error;
   return {text.str(), z, 0,
           2 * boost::math::cdf(boost::math::complement(boost::math::normal(), std::abs(z)))};
+}
+
+}  // namespace
+
+Goodness z_test(const std::string& what, const SampleMean& sample, double exact) {
+  return z_test_by(what, sample.mean(), sample.standard_error(), exact);
+}
+
+Goodness z_test_of_counts(const std::string& what, const SampleMean& sample, double exact) {
+  const double above = exact - std::floor(exact);
+  const double least = std::sqrt(above * (1 - above) / sample.count());
+  return z_test_by(what, sample.mean(), std::max(sample.standard_error(), least), exact);
 }
 
 }  // namespace ramify::test

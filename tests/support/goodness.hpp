@@ -56,4 +56,8 @@ class SampleMean {
 /// z = (mean - exact) / standard error, two-sided. A sample without spread agrees with its own value only.
 Goodness z_test(const std::string& what, const SampleMean& sample, double exact);
 
+/// The same of whole numbers, whose variance is f(1-f) at least, f what the exact mean is above a whole
+/// number: a sample in which no rare value was seen does not know it.
+Goodness z_test_of_counts(const std::string& what, const SampleMean& sample, double exact);
+
 }  // namespace ramify::test
