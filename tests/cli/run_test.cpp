@@ -116,7 +116,18 @@ TEST(Run, DryRunSaysWhatItWouldCostAndDoesNothing) {
   EXPECT_NE(ran.out.find("nodes"), std::string::npos);
   EXPECT_NE(ran.out.find("minutes"), std::string::npos);
   EXPECT_NE(ran.out.find("MB"), std::string::npos);
+  EXPECT_NE(ran.out.find("exact laws"), std::string::npos);
   EXPECT_FALSE(std::filesystem::exists(scratch / "o"));
+}
+
+TEST(Run, DryRunSaysWhichLawsWouldTakeTooLong) {
+  const Scratch scratch;
+  const std::string config = scratch.file("heights.toml",
+                                          "models=[\"catalan\"]\nn=[1000000000]\nreplicates=1\n"
+                                          "statistics=[\"strahler\", \"height\"]\n");
+  const Ran ran = ramify("run " + config + " --dry-run --out " + (scratch / "o").string());
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  EXPECT_NE(ran.out.find("no exact_mean for height of catalan beyond n = "), std::string::npos) << ran.out;
 }
 
 }  // namespace

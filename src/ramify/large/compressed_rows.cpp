@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <Eigen/LU>
@@ -22,7 +23,7 @@ constexpr double near_the_middle =
 constexpr double widest_whole = 0.7;  // log of the ratio of such a panel's ends
 constexpr double ties_to =
     1e14;  // leaves: beyond, ties of a binomial law weigh less than 1e-7, and a kink there 1e-14
-constexpr double negligible = 1e-42;
+constexpr double smooth_from = 1e17;  // leaves: shares of whole numbers are those of a density, to rounding
 
 double log_sum(double a, double b) {
   const double high = std::max(a, b);
@@ -81,8 +82,8 @@ EndRule end_rule(const std::array<double, end_nodes>& at) {
 /// Collects the places of one row.
 class CompressedRows::Builder {
  public:
-  Builder(const RealSplit& split, double leaves, std::optional<Residue> residue)
-      : log_weight_(log_weight_of(split)), leaves_(leaves), residue_(residue) {
+  Builder(const RealSplit& split, double leaves, std::optional<Residue> residue, double negligible)
+      : log_weight_(log_weight_of(split)), leaves_(leaves), residue_(residue), negligible_(negligible) {
     const auto* smooth = std::get_if<SmoothSplit>(&split);
     scaled_ = smooth != nullptr && !smooth->sums_to_one;
     if (scaled_) reference_ = std::max(log_weight_(1, leaves - 1), log_weight_(leaves / 2, leaves / 2));
@@ -100,7 +101,7 @@ class CompressedRows::Builder {
   }
   void add(double smaller, double factor) { add(smaller, std::log(smaller / leaves_), factor); }
   void add_weighed(double w, double smaller, double log_share) {
-    if (std::abs(w) < negligible) return;
+    if (std::abs(w) < negligible_) return;
     if (!residue_) {
       put(w, smaller, log_share, 0);
       return;
@@ -111,7 +112,7 @@ class CompressedRows::Builder {
   /// A whole number of leaves.
   void add_whole(double smaller) {
     const double w = weight(smaller);
-    if (w < negligible) return;
+    if (w < negligible_) return;
     put(w, smaller, std::log(smaller / leaves_), static_cast<Residue>(std::fmod(smaller - 1, residues)));
   }
 
@@ -189,6 +190,7 @@ class CompressedRows::Builder {
   LogWeight log_weight_;
   double leaves_;
   std::optional<Residue> residue_;
+  double negligible_;
   bool scaled_ = false;
   double reference_ = 0;
   std::vector<SplitPlace> places_;
@@ -198,8 +200,10 @@ bool CompressedRows::exist(const Model& model) {
   return !std::holds_alternative<std::monostate>(real_split_of(model));
 }
 
-CompressedRows::CompressedRows(const Model& model, double step, double largest_leaves)
-    : split_(real_split_of(model)), step_(step) {
+CompressedRows::CompressedRows(const Model& model, double step, double largest_leaves, LeftOut left_out)
+    : split_(real_split_of(model)),
+      step_(step),
+      negligible_(left_out == LeftOut::below_1e_20 ? 1e-20 : 1e-42) {
   RAMIFY_EXPECTS(exist(model));
   const SplitFraction fraction = model.character().fraction;
   if (const auto* beta = std::get_if<BetaFraction>(&fraction)) {
@@ -211,6 +215,7 @@ CompressedRows::CompressedRows(const Model& model, double step, double largest_l
     }
   } else if (const auto* none = std::get_if<NoFraction>(&fraction)) {
     a_ = b_ = -none->depth_exponent;
+    negligible_ = 1e-42;
   } else if (const auto* constant = std::get_if<ConstantFraction>(&fraction)) {
     mean_ = constant->p;
     deviation_ = std::sqrt(mean_ * (1 - mean_) / std::min(largest_leaves, ties_to));
@@ -218,6 +223,22 @@ CompressedRows::CompressedRows(const Model& model, double step, double largest_l
   edges_ = {-std::numbers::ln2};
   const double lowest = std::min(0.0, std::log(whole_to / largest_leaves)) - widest_whole;
   while (edges_.back() > lowest) edges_.push_back(edges_.back() - panel_width(edges_.back()));
+  far_from_ = far_from(largest_leaves);
+  if (far_from_ > largest_leaves) return;
+  for (Residue q = 0; q < residues; ++q) far_[q] = row_in_full(far_from_, q);
+  far_[residues] = row_in_full(far_from_, std::nullopt);
+}
+
+/// Infinity where no row up to the largest is far.
+double CompressedRows::far_from(double largest_leaves) const {
+  constexpr double never = std::numeric_limits<double>::infinity();
+  if (std::holds_alternative<BinomialSplit>(split_)) return never;  // the scatter of shares falls with n
+  for (double leaves = smooth_from; leaves <= largest_leaves; leaves *= 10) {
+    const CompressedRow row = row_in_full(leaves, std::nullopt);
+    if (std::ranges::all_of(row.places, [](const SplitPlace& place) { return place.smaller > whole_to; }))
+      return leaves;
+  }
+  return never;
 }
 
 /// The widest panel, in the log of the share, on which ten points do.
@@ -239,7 +260,7 @@ double CompressedRows::panel_width(double log_share) const {
 CompressedRow CompressedRows::binomial_row(const BinomialSplit& split, double leaves,
                                            std::optional<Residue> residue) const {
   constexpr int reach = 20;  // half standard deviations: a weight of e^-50
-  Builder row(split_, leaves, residue);
+  Builder row(split_, leaves, residue, negligible_);
   const double trials = leaves - split.fewer;
   const double step = std::sqrt(trials * split.p * (1 - split.p)) / 2;
   for (int m = -reach; m <= reach; ++m) {
@@ -283,13 +304,22 @@ void CompressedRows::add_panels(Builder& row, double leaves, double bottom, doub
 }
 
 CompressedRow CompressedRows::row(double leaves, std::optional<Residue> residue) const {
+  if (!is_far(leaves)) return row_in_full(leaves, residue);
+  CompressedRow row = far_[residue.value_or(residues)];
+  const double scale = leaves / row.leaves;
+  row.leaves = leaves;
+  for (SplitPlace& place : row.places) place.smaller *= scale;
+  return row;
+}
+
+CompressedRow CompressedRows::row_in_full(double leaves, std::optional<Residue> residue) const {
   RAMIFY_EXPECTS(leaves >= 4 * ends_of_residues);
   if (const auto* binomial = std::get_if<BinomialSplit>(&split_)) {
     const double deviation = std::sqrt(mean_ * (1 - mean_) * leaves);
     const bool ties = leaves <= ties_to && std::abs(mean_ - 0.5) * leaves < 14 * deviation;
     if (!residue || !ties) return binomial_row(*binomial, leaves, residue);
   }
-  Builder row(split_, leaves, residue);
+  Builder row(split_, leaves, residue, negligible_);
   const double whole_below = std::floor(std::min(whole_to, near_the_middle * leaves));
   const double last_alone = residue ? ends_of_residues : ends;
   for (double smaller = 1; smaller <= last_alone; ++smaller) row.add_whole(smaller);

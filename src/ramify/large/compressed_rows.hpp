@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -45,18 +46,28 @@ struct CompressedRow {
 /// on panels of whole numbers, to a quarter of the leaves or to 2000; then Gauss and Legendre's on panels in
 /// the log of the size, with Euler and Maclaurin's term where whole numbers end. Panels follow the law's
 /// standard deviation. A binomial row is the trapezoidal rule with half a standard deviation a step, which is
-/// exact to rounding. Weights below 1e-42 are left out.
+/// exact to rounding.
 ///
 /// A row with a residue (of n) is for laws that tell ties from other splits: it ends at the last smaller
 /// child, and its places name the residues of both children.
 class CompressedRows {
  public:
+  /// What a weight is left out below: an average over the row does not feel 1e-20 of it; the lower tail of a
+  /// minimum does, for one small child decides it. Where small children weigh most, as in catalan, all is
+  /// kept.
+  enum class LeftOut : std::uint8_t { below_1e_20, below_1e_42 };
+
   /// @param model   a split model with a real_split
   /// @param step    of the grid of sizes, in log leaves: what the law is smooth over
-  CompressedRows(const Model& model, double step, double largest_leaves);
+  CompressedRows(const Model& model, double step, double largest_leaves,
+                 LeftOut left_out = LeftOut::below_1e_20);
 
   /// Of 512 leaves or more. O(places), some 0.1 us each.
   CompressedRow row(double leaves, std::optional<Residue> residue = std::nullopt) const;
+
+  /// Whether rows of this many leaves and more are the same in shares, to rounding: no place of them is
+  /// within the sizes that are summed one by one.
+  bool is_far(double leaves) const { return leaves >= far_from_; }
 
   /// Whether the model has such rows.
   static bool exist(const Model& model);
@@ -64,6 +75,8 @@ class CompressedRows {
  private:
   class Builder;
   double panel_width(double log_share) const;
+  double far_from(double largest_leaves) const;
+  CompressedRow row_in_full(double leaves, std::optional<Residue> residue) const;
   CompressedRow binomial_row(const BinomialSplit& split, double leaves, std::optional<Residue> residue) const;
   void add_whole_panels(Builder& row, double leaves, double last_alone, double whole_below) const;
   void add_panels(Builder& row, double leaves, double bottom, double top) const;
@@ -72,7 +85,10 @@ class CompressedRows {
   double mean_ = 0.5, deviation_ = 1;  ///< of the share of one side; 1 where nothing is concentrated
   double a_ = 1, b_ = 1;               ///< exponents of the share near its ends
   double step_;
-  std::vector<double> edges_;  ///< of panels, in the log of the share, from log(1/2) down
+  double negligible_;
+  double far_from_;
+  std::array<CompressedRow, residues + 1> far_;  ///< of each residue, then without one
+  std::vector<double> edges_;                    ///< of panels, in the log of the share, from log(1/2) down
 };
 
 }  // namespace ramify

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "ramify/large/large_reach.hpp"
+#include "ramify/law/law_cost.hpp"
 #include "ramify/law/law_limit.hpp"
 
 namespace ramify {
@@ -23,7 +25,41 @@ std::vector<double> beyond(const Model& model, const std::vector<Size>& sizes) {
   return no_large_laws(model).empty() ? large : std::vector<double>();
 }
 
+double exact_seconds(const Model& model, const Recurrence& recurrence, Size n) {
+  const bool counts = std::holds_alternative<CountOfOrder>(recurrence);
+  return law_cost(model, {recurrence, counts && n > order_moments_limit(model)}, n).seconds;
+}
+
+bool takes_too_long(const Model& model, const Recurrence& recurrence, double n) {
+  return large_law_seconds(model, recurrence, n) > FiniteMeans::longest_seconds;
+}
+
+/// What is computed once for many columns: the counts of all orders are.
+Recurrence shared(const Recurrence& recurrence) {
+  if (std::holds_alternative<CountOfOrder>(recurrence)) return CountOfOrder{OrderCount::Of::nodes};
+  return recurrence;
+}
+
 }  // namespace
+
+FiniteMeansCost FiniteMeans::cost(const Model& model, const std::vector<Size>& sizes,
+                                  const StatisticSet& statistics) {
+  FiniteMeansCost cost{0, {}};
+  const Size exact = largest_exact(model, sizes);
+  const std::vector<double> large = beyond(model, sizes);
+  std::vector<Recurrence> counted;
+  for (const StatisticInfo* statistic : statistics.chosen()) {
+    const Recurrence recurrence = shared(statistic->law.recurrence);
+    if (known_of(recurrence) <= Known::value) continue;
+    const bool is_left_out = !large.empty() && takes_too_long(model, recurrence, large.back());
+    if (is_left_out) cost.left_out.push_back(statistic->name);
+    if (std::ranges::find(counted, recurrence) != counted.end()) continue;
+    counted.push_back(recurrence);
+    if (exact > 0) cost.seconds += exact_seconds(model, recurrence, exact);
+    if (!large.empty() && !is_left_out) cost.seconds += large_law_seconds(model, recurrence, large.back());
+  }
+  return cost;
+}
 
 FiniteMeans::FiniteMeans(const Model& model, const std::vector<Size>& sizes)
     : model_(model), large_sizes_(beyond(model, sizes)), exact_(model, largest_exact(model, sizes)) {}
@@ -43,8 +79,7 @@ std::optional<Moments> FiniteMeans::large_moments(const Recurrence& recurrence, 
     return Moments{static_cast<double>(n + known->more), 0};
   if (const auto* count = std::get_if<CountOfOrder>(&recurrence))
     return of_count(count->at(place.high), size);
-  if (known_of(recurrence) == Known::nothing ||
-      large_law_seconds(model_, recurrence, large_sizes_.back()) > longest_seconds)
+  if (known_of(recurrence) == Known::nothing || takes_too_long(model_, recurrence, large_sizes_.back()))
     return std::nullopt;
   auto found =
       std::ranges::find(laws_, recurrence, [](const auto& kept) -> const Recurrence& { return kept.first; });

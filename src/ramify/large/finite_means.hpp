@@ -1,14 +1,23 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "ramify/large/large_law.hpp"
 #include "ramify/large/large_orders.hpp"
 #include "ramify/law/exact_means.hpp"
+#include "ramify/statistic/statistic_set.hpp"
 
 namespace ramify {
+
+/// What the laws of a table take, before any is computed.
+struct FiniteMeansCost {
+  double seconds;  ///< on one core, right to a factor of 3
+  /// Statistics whose laws would take too long at the largest size, and are left out there.
+  std::vector<std::string_view> left_out;
+};
 
 /// The mean and variance of a table's columns at given sizes of any magnitude, for one split model: exact up
 /// to law_limit(model), beyond on a grid (LargeLaw), with errors below what any sample could tell.
@@ -21,6 +30,10 @@ class FiniteMeans {
   static constexpr double longest_seconds = 20;
 
   FiniteMeans(const Model& model, const std::vector<Size>& sizes);
+
+  /// Of the same model and sizes and all columns of the statistics.
+  static FiniteMeansCost cost(const Model& model, const std::vector<Size>& sizes,
+                              const StatisticSet& statistics);
 
   /// Nothing where the statistic has no law, where the model has none beyond law_limit, or where it would
   /// take longer than longest_seconds. The variance is NaN where only the mean is known, as of counts beyond

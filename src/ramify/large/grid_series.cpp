@@ -1,22 +1,43 @@
 #include "ramify/large/grid_series.hpp"
 
+#include <cmath>
+
 namespace ramify {
 
-std::vector<PlacedSplit> placed_row(const SizeGrid& grid, const CompressedRows& rows, std::size_t place,
-                                    std::optional<Residue> residue) {
-  const CompressedRow row = rows.row(grid.leaves(place), residue);
-  std::vector<PlacedSplit> placed;
-  placed.reserve(row.places.size());
+const std::vector<PlacedSplit>& PlacedRows::row(std::size_t place, std::optional<Residue> residue) {
+  Kept& kept = kept_[residue.value_or(residues)];
+  const bool follows = kept.place + 1 == place && rows_->is_far(grid_->leaves(kept.place));
+  kept.place = place;
+  if (follows)
+    move_on(kept.splits);
+  else
+    kept.splits = placed(rows_->row(grid_->leaves(place), residue), place);
+  return kept.splits;
+}
+
+void PlacedRows::move_on(std::vector<PlacedSplit>& splits) const {
+  const double ratio = std::exp(grid_->step());
+  for (PlacedSplit& split : splits) {
+    ++split.smaller.first;
+    ++split.larger.others.first;
+    split.smaller_leaves *= ratio;
+    split.larger_leaves *= ratio;
+  }
+}
+
+std::vector<PlacedSplit> PlacedRows::placed(const CompressedRow& row, std::size_t place) const {
+  std::vector<PlacedSplit> splits;
+  splits.reserve(row.places.size());
   for (const SplitPlace& split : row.places) {
     const double larger_leaves = row.leaves - split.smaller;
-    const Stencil smaller = grid.of_child(place, split.smaller, split.log_smaller);
-    const OwnStencil larger = grid.is_in_table(place, split.log_larger)
-                                  ? OwnStencil{grid.in_table(larger_leaves)}
-                                  : grid.one_sided(place, split.log_larger);
-    placed.push_back({smaller, larger, split.weight, split.smaller, larger_leaves, split.smaller_residue,
+    const Stencil smaller = grid_->of_child(place, split.smaller, split.log_smaller);
+    const OwnStencil larger = grid_->is_in_table(place, split.log_larger)
+                                  ? OwnStencil{grid_->in_table(larger_leaves)}
+                                  : grid_->one_sided(place, split.log_larger);
+    splits.push_back({smaller, larger, split.weight, split.smaller, larger_leaves, split.smaller_residue,
                       split.larger_residue, split.equal});
   }
-  return placed;
+  return splits;
 }
 
 PerResidue<double> ResidueSystem::solve(std::size_t count) const {

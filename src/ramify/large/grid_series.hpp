@@ -72,9 +72,27 @@ struct PlacedSplit {
   bool equal;
 };
 
-/// The row of a place, its children found on the grid.
-std::vector<PlacedSplit> placed_row(const SizeGrid& grid, const CompressedRows& rows, std::size_t place,
-                                    std::optional<Residue> residue);
+/// The rows of one place after another, their children found on the grid. Of far rows, which are the same in
+/// shares, the row of the place before is moved on.
+class PlacedRows {
+ public:
+  PlacedRows(const SizeGrid& grid, const CompressedRows& rows) : grid_(&grid), rows_(&rows) {}
+
+  /// Valid until the next row of the same residue is asked for.
+  const std::vector<PlacedSplit>& row(std::size_t place, std::optional<Residue> residue = std::nullopt);
+
+ private:
+  struct Kept {
+    std::size_t place = 0;
+    std::vector<PlacedSplit> splits;
+  };
+  std::vector<PlacedSplit> placed(const CompressedRow& row, std::size_t place) const;
+  void move_on(std::vector<PlacedSplit>& splits) const;
+
+  const SizeGrid* grid_;
+  const CompressedRows* rows_;
+  std::array<Kept, residues + 1> kept_;  ///< of each residue, then without one
+};
 
 /// The X_p of a size, of all residues p or of one alone, from X_p = known_p + sum over q of own_pq X_q, 0 <=
 /// own.

@@ -19,9 +19,10 @@ LargeJoin::LargeJoin(const JoinRule& rule, const SizeGrid& grid, const Compresse
     : rule_(&rule), grid_(&grid), tails_(rule.tells_ties() ? residues : 1, TailTable(grid.places())) {
   RAMIFY_EXPECTS(!rule.takes_the_lower());
   fill_from(table);
+  PlacedRows placed(grid, rows);
   for (std::size_t place = grid.first_new_point(); place < grid.places(); ++place) {
     if (cancellation.requested()) throw Interrupted();
-    extend(place, rows);
+    extend(place, placed);
   }
 }
 
@@ -52,9 +53,10 @@ void LargeJoin::fill_from(const BoundedLaw& table) {
   }
 }
 
-void LargeJoin::extend(std::size_t place, const CompressedRows& rows) {
+void LargeJoin::extend(std::size_t place, PlacedRows& rows) {
   std::size_t first = tails_[0].certain(place - 1), last = tails_[0].last(place - 1);
-  for (const TailTable& tails : tails_) {
+  for (TailTable& tails : tails_) {
+    tails.expect(place);
     first = std::min(first, tails.certain(place - 1));
     last = std::max(last, tails.last(place - 1));
   }
@@ -63,7 +65,7 @@ void LargeJoin::extend(std::size_t place, const CompressedRows& rows) {
   std::vector<Sums> sums;
   for (std::size_t p = 0; p < classes(); ++p) {
     const auto residue = classes() == 1 ? std::nullopt : std::optional(static_cast<Residue>(p));
-    sums.push_back(this->sums(placed_row(*grid_, rows, place, residue), first, levels));
+    sums.push_back(this->sums(rows.row(place, residue), first, levels));
   }
   std::vector<Values> solved(classes());
   for (std::size_t level = 0; level < levels; ++level) {
@@ -78,12 +80,43 @@ LargeJoin::Sums LargeJoin::sums(const std::vector<PlacedSplit>& row, std::size_t
   Sums sums(levels);
   smaller_from_.resize(levels + 1);
   larger_from_.resize(levels + 1);
-  for (const PlacedSplit& split : row) {
-    tails_[split.smaller_residue].interpolate(split.smaller, first - 1, smaller_from_);
+  const auto add = [&](const PlacedSplit& split) {
     tails_[split.larger_residue].interpolate(split.larger.others, first - 1, larger_from_);
     add_terms(split, sums);
+  };
+  std::vector<PlacedSplit> merged;
+  for (const PlacedSplit& split : row) {
+    const TailTable& tails = tails_[split.smaller_residue];
+    if (tails.last(split.smaller.first + Stencil::width - 1) < first - 1 && split.weight > 0) {
+      merge(split, merged);
+      continue;
+    }
+    tails.interpolate(split.smaller, first - 1, smaller_from_);
+    add(split);
   }
+  std::ranges::fill(smaller_from_, 0.0);
+  for (const PlacedSplit& split : merged) add(split);
   return sums;
+}
+
+/// Splits whose smaller child has none of the values asked for are one, where the larger is read off the same
+/// places.
+void LargeJoin::merge(const PlacedSplit& split, std::vector<PlacedSplit>& merged) {
+  const auto same = std::ranges::find_if(merged, [&split](const PlacedSplit& other) {
+    return other.larger.others.first == split.larger.others.first && other.equal == split.equal &&
+           other.larger_residue == split.larger_residue;
+  });
+  if (same == merged.end()) {
+    merged.push_back(split);
+    return;
+  }
+  const double weight = same->weight + split.weight, share = split.weight / weight;
+  const auto mix = [share](double& of, double other) { of += share * (other - of); };
+  for (std::size_t r = 0; r < Stencil::width; ++r)
+    mix(same->larger.others.weight[r], split.larger.others.weight[r]);
+  mix(same->larger.own, split.larger.own);
+  mix(same->larger.not_own, split.larger.not_own);
+  same->weight = weight;
 }
 
 /// One split in all the ways of the rule.

@@ -48,8 +48,9 @@ class LargeJoin {
 
   std::size_t classes() const { return tails_.size(); }
   void fill_from(const BoundedLaw& table);
-  void extend(std::size_t place, const CompressedRows& rows);
+  void extend(std::size_t place, PlacedRows& rows);
   Sums sums(const std::vector<PlacedSplit>& row, std::size_t first, std::size_t levels);
+  static void merge(const PlacedSplit& split, std::vector<PlacedSplit>& merged);
   void add_terms(const PlacedSplit& split, Sums& sums) const;
   static Values solve(const std::vector<Sums>& sums, std::size_t level, const std::vector<Values>& solved);
 

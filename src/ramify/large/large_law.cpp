@@ -25,6 +25,12 @@ Moments moments_of_tail(const std::vector<double>& tail) {
   return {static_cast<double>(sure) + mean, std::max(0.0, second - mean * mean)};
 }
 
+CompressedRows::LeftOut left_out(const Recurrence& recurrence) {
+  const auto* join = std::get_if<BoundedJoin>(&recurrence);
+  return join != nullptr && join->rule->takes_the_lower() ? CompressedRows::LeftOut::below_1e_42
+                                                          : CompressedRows::LeftOut::below_1e_20;
+}
+
 }  // namespace
 
 /// One computation, from one seam on one grid.
@@ -32,7 +38,7 @@ class LargeLaw::Solution {
  public:
   Solution(const Model& model, const Recurrence& recurrence, Size table, double step, double largest_n,
            const Cancellation& cancellation)
-      : grid_(table, step, largest_n + 1), rows_(model, step, largest_n + 1) {
+      : grid_(table, step, largest_n + 1), rows_(model, step, largest_n + 1, left_out(recurrence)) {
     const auto exact = [&](auto law) {
       return build_law(model, table + residue_reach, std::move(law), cancellation);
     };

@@ -17,19 +17,20 @@ LargeNodeSum::LargeNodeSum(const NodeSum& sum, const SizeGrid& grid, const Compr
       grid_(&grid),
       mean_(grid, [&](Size n) { return table.moments(n).mean / scale(static_cast<double>(n + 1)); }),
       variance_(grid, [&](Size n) { return table.moments(n).variance / scale(static_cast<double>(n + 1)); }) {
+  PlacedRows placed(grid, rows);
   for (std::size_t place = grid.first_new_point(); place < grid.places(); ++place) {
     if (cancellation.requested()) throw Interrupted();
-    extend(place, rows);
+    extend(place, placed);
   }
 }
 
-void LargeNodeSum::extend(std::size_t place, const CompressedRows& rows) {
+void LargeNodeSum::extend(std::size_t place, PlacedRows& rows) {
   const double leaves = grid_->leaves(place);
-  PerResidue<std::vector<PlacedSplit>> row;
-  for (Residue p = 0; p < residues; ++p) row[p] = placed_row(*grid_, rows, place, p);
+  PerResidue<const std::vector<PlacedSplit>*> row{};
+  for (Residue p = 0; p < residues; ++p) row[p] = &rows.row(place, p);
   ResidueSystem mean, variance;
   for (Residue p = 0; p < residues; ++p)
-    for (const PlacedSplit& split : row[p]) {
+    for (const PlacedSplit& split : *row[p]) {
       add_split(split, mean_, coefficient(split.smaller_leaves, leaves),
                 coefficient(split.larger_leaves, leaves), p, mean);
       mean.known[p] += split.weight * toll_of(sum_, split) / scale(leaves);
@@ -38,13 +39,13 @@ void LargeNodeSum::extend(std::size_t place, const CompressedRows& rows) {
   for (Residue p = 0; p < residues; ++p) mean_(place, p) = means[p];
   // Var Y / z of a child counts (child/z) times its own; of an average 1/4.
   for (Residue p = 0; p < residues; ++p) {
-    for (const PlacedSplit& split : row[p]) {
+    for (const PlacedSplit& split : *row[p]) {
       const double smaller = coefficient(split.smaller_leaves, leaves),
                    larger = coefficient(split.larger_leaves, leaves);
       const double share = sum_.averaged ? 0.5 : 1;
       add_split(split, variance_, share * smaller, share * larger, p, variance);
     }
-    variance.known[p] += scale(leaves) * between_splits(row[p], place, p);
+    variance.known[p] += scale(leaves) * between_splits(*row[p], place, p);
   }
   const auto variances = variance.solve(residues);
   for (Residue p = 0; p < residues; ++p) variance_(place, p) = variances[p];

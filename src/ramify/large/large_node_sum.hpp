@@ -27,7 +27,7 @@ class LargeNodeSum {
   double scale(double leaves) const { return sum_.averaged ? 1 : leaves; }
   /// Of a child of so many leaves, in the scaled recurrence.
   double coefficient(double child, double all) const { return sum_.averaged ? 0.5 : child / all; }
-  void extend(std::size_t place, const CompressedRows& rows);
+  void extend(std::size_t place, PlacedRows& rows);
   void add_split(const PlacedSplit& split, const GridSeries& series, double of_smaller, double of_larger,
                  Residue p, ResidueSystem& system) const;
   double between_splits(const std::vector<PlacedSplit>& row, std::size_t place, Residue p) const;

@@ -16,9 +16,10 @@ LargeOrderMeans::LargeOrderMeans(const SizeGrid& grid, const CompressedRows& row
       nodes_(grid.places(), Values(orders_)),
       streams_(nodes_) {
   fill_from(table);
+  PlacedRows placed(grid, rows);
   for (std::size_t place = grid.first_new_point(); place < grid.places(); ++place) {
     if (cancellation.requested()) throw Interrupted();
-    extend(place, rows);
+    extend(place, placed);
   }
 }
 
@@ -38,12 +39,12 @@ void LargeOrderMeans::fill_from(const OrderMeans& table) {
   }
 }
 
-void LargeOrderMeans::extend(std::size_t place, const CompressedRows& rows) {
+void LargeOrderMeans::extend(std::size_t place, PlacedRows& rows) {
   const double leaves = grid_->leaves(place);
   const auto& tails = strahler_->tails();
   Values nodes(orders_), streams(orders_), child(orders_), smaller(orders_ + 1), larger(orders_ + 1);
   double not_own = 0;
-  for (const PlacedSplit& split : placed_row(*grid_, rows, place, std::nullopt)) {
+  for (const PlacedSplit& split : rows.row(place)) {
     const double of_smaller = split.weight * split.smaller_leaves / leaves;
     const double of_larger = split.weight * split.larger_leaves / leaves;
     not_own += split.weight * split.larger.not_own + split.larger.own * of_smaller;

@@ -33,7 +33,7 @@ class LargeOrderMeans {
   using Counts = std::vector<Values>;  ///< of a place, over the orders
 
   void fill_from(const OrderMeans& table);
-  void extend(std::size_t place, const CompressedRows& rows);
+  void extend(std::size_t place, PlacedRows& rows);
   void interpolate(const Counts& counts, const Stencil& stencil, Values& out) const;
   Values scaled(const Counts& counts, double leaves) const;
 

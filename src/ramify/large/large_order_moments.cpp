@@ -234,9 +234,10 @@ LargeOrderMoments::LargeOrderMoments(const SizeGrid& grid, const CompressedRows&
     : grid_(&grid), tails_(&strahler.tails()), means_(&means) {
   places_.reserve(grid.places());
   fill_from(table);
+  PlacedRows placed(grid, rows);
   while (places_.size() < grid.places()) {
     if (cancellation.requested()) throw Interrupted();
-    extend(places_.size(), rows);
+    extend(places_.size(), placed);
   }
 }
 
@@ -280,9 +281,9 @@ void LargeOrderMoments::fill_from(const OrderMoments& table) {
   }
 }
 
-void LargeOrderMoments::extend(std::size_t place, const CompressedRows& rows) {
+void LargeOrderMoments::extend(std::size_t place, PlacedRows& rows) {
   Place own = empty_place(place);
-  Row(*this, place, placed_row(*grid_, rows, place, std::nullopt), own).solve();
+  Row(*this, place, rows.row(place), own).solve();
   places_.push_back(std::move(own));
 }
 

@@ -46,7 +46,7 @@ class LargeOrderMoments {
 
   Place empty_place(std::size_t place) const;
   void fill_from(const OrderMoments& table);
-  void extend(std::size_t place, const CompressedRows& rows);
+  void extend(std::size_t place, PlacedRows& rows);
 
   const SizeGrid* grid_;
   const TailTable* tails_;

@@ -7,7 +7,8 @@
 
 namespace ramify {
 
-/// Nodes, minutes and memory of configs and of all together, a line each.
+/// Nodes, minutes, memory and the seconds of exact laws of configs and of all together, a line each; and a
+/// line for each model with statistics whose laws take too long.
 std::string describe_cost(const std::vector<RunConfig>& configs, unsigned threads);
 
 /// Nodes to grow in all.
