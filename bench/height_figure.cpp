@@ -38,14 +38,13 @@ Plot height_plot(const LargeLaw& heights) {
       "log10 n (internal nodes)",
       "E H_n minus its growing terms",
       false,
-      false,
-      {}};
-  PlotSeries series{"bst, height in nodes", PlotSeries::Style::line, {}, {}};
+      false};
+  PlotSeries series{"bst, height in nodes"};
   fmt::print("n,mean_height,error,left_over\n");
   for (double decade = 4; decade <= last_decade; decade += decade < 20 ? 0.25 : 2) {
     const double n = std::pow(10.0, decade);
     const Approximation mean = heights.moments(n).mean;
-    series.points.push_back({decade, left_over(n, mean.value)});
+    series.curve.push_back({decade, left_over(n, mean.value)});
     fmt::print("{:.5g},{:.12g},{:.1g},{:.9f}\n", n, mean.value, mean.error, left_over(n, mean.value));
   }
   plot.series.push_back(series);

@@ -12,6 +12,7 @@
 #include "growth.hpp"
 
 #include "ramify/compare/judge.hpp"
+#include "ramify/run/run_plots.hpp"
 #include "ramify/theory/strahler_constant.hpp"
 
 namespace ramify {
@@ -68,31 +69,33 @@ std::vector<Verdict> judge_bst_order(const std::vector<ModelCells>& models) {
   return {upper_bound(growth), growth, finite_bound(means_of(models.front(), statistic::strahler))};
 }
 
-/// What is left of the mean when the law through the first point is taken off: a level line for the true
-/// constant.
-PlotSeries residual(const std::string& label, double constant, const std::vector<SizedMean>& means) {
-  PlotSeries series{label, PlotSeries::Style::points_line, {}, {}};
-  for (const auto& point : means) {
-    const double law = means.front().mean + constant * std::log(point.n / means.front().n);
-    series.points.push_back({point.n, point.mean - law, 2 * point.standard_error});
-  }
+/// What is left of the mean when the law through the first point is taken off: level for the true constant
+/// but for the oscillation, which the exact curve shows and the sizes, one in each period, do not.
+PlotSeries residual(const std::string& label, double constant, const ModelCells& bst) {
+  const auto means = means_of(bst, statistic::strahler);
+  const SizedMean& first = means.front();
+  const auto law = [&](double n) { return first.mean + constant * std::log(n / first.n); };
+  PlotSeries series{label};
+  for (const auto& point : means)
+    series.points.push_back({point.n, point.mean - law(point.n), 2 * point.standard_error});
+  series.curve = exact_means(bst.curves, bst.model.text(), statistic::strahler);
+  for (auto& point : series.curve) point.y -= law(point.x);
   return series;
 }
 
 std::vector<NamedPlot> plot_bst_order(const std::vector<ModelCells>& models) {
   const ModelCells& bst = models.front();
-  const auto means = means_of(bst, statistic::strahler);
   Plot plot{"Horton-Strahler number of random binary search trees",
-            "sampled mean minus the law through the first point; a law that holds stays level (two standard "
-            "errors)",
+            "mean minus the law through the first point: level where the law holds; points: sampled, two "
+            "standard errors; "
+            "curves: exact",
             "n (internal nodes)",
-            "mean S_n minus law",
+            "mean S_n (leaf order 0) minus law",
             true,
-            false,
-            {}};
-  plot.series.push_back(residual("minus log n / log 3: the thesis", log_3_constant, means));
+            false};
+  plot.series.push_back(residual("minus log n / log 3: the thesis", log_3_constant, bst));
   plot.series.push_back(residual("minus log n / log 3.0438: Kovchegov and Zaliapin's ratio",
-                                 strahler_constant(bst.model).value().value, means));
+                                 strahler_constant(bst.model).value().value, bst));
   return {growth_plot({"C20_bst_order", "Horton-Strahler number of random binary search trees",
                        "mean S_n (leaf order 0)"},
                       {{tight(), bst}}),

@@ -22,10 +22,12 @@ struct NamedPlot {
   Plot plot;
 };
 
-/// The finished cells of one model, smallest n first.
+/// The finished cells of one model, smallest n first, and what its plots need.
 struct ModelCells {
   Model model;
   std::vector<CheckedCell> cells;
+  std::vector<ExactCurve> curves = {};  // NOLINT(readability-redundant-member-init): -Wextra wants it
+  std::size_t look = 0;                 ///< its symbol and colour (ModelLooks)
 };
 
 /// It is of trees of that split law.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -10,23 +11,29 @@
 namespace ramify {
 namespace {
 
-void add_cell(std::vector<ModelCells>& models, const Model& model, const CheckedCell& cell) {
+ModelCells& cells_of(std::vector<ModelCells>& models, const Model& model) {
   auto place = std::ranges::find(models, model, &ModelCells::model);
   if (place == models.end()) place = models.insert(models.end(), ModelCells{model, {}});
-  place->cells.push_back(cell);
+  return *place;
 }
 
 }  // namespace
 
-void Evidence::add(const RunConfig& config, const std::vector<CheckedCell>& cells) {
+void Evidence::add(const RunConfig& config, const CheckedRun& run) {
   const Plan plan = make_plan(config);
+  looks_.add(config);
   for (const Claim* claim : served_claims(config)) {
     auto& models = models_[claim->id];
-    for (const auto& cell : cells) add_cell(models, plan.cells[cell.number - 1].model, cell);
-    for (auto& model : models)
+    for (const auto& cell : run.cells)
+      cells_of(models, plan.cells[cell.number - 1].model).cells.push_back(cell);
+    for (auto& model : models) {
+      model.look = looks_.of(model.model.text());
       std::ranges::stable_sort(model.cells, {}, [](const CheckedCell& cell) { return cell.result.n; });
+      std::ranges::copy_if(run.curves, std::back_inserter(model.curves),
+                           [&](const ExactCurve& curve) { return curve.model == model.model.text(); });
+    }
   }
-  all_.insert(all_.end(), cells.begin(), cells.end());
+  all_.insert(all_.end(), run.cells.begin(), run.cells.end());
 }
 
 std::vector<Verdict> Evidence::verdicts() const {

@@ -4,17 +4,23 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "claim.hpp"
+
+#include "ramify/run/model_looks.hpp"
 
 namespace ramify {
 
 /// The finished cells that bear on every claim, claim by claim.
 class Evidence {
  public:
-  /// Adds the cells of a config to the claims it serves. Throws Error as served_claims does.
-  void add(const RunConfig& config, const std::vector<CheckedCell>& cells);
+  /// @param looks  of the models in plots; those of models that come later are added
+  explicit Evidence(ModelLooks looks = {}) : looks_(std::move(looks)) {}
+
+  /// Adds the cells and curves of a config to the claims it serves. Throws Error as served_claims does.
+  void add(const RunConfig& config, const CheckedRun& run);
 
   /// Verdicts of all claims with evidence, in the order of the catalogue.
   std::vector<Verdict> verdicts() const;
@@ -37,6 +43,7 @@ class Evidence {
   std::optional<WorstCheck> worst_check() const;
 
  private:
+  ModelLooks looks_;
   std::map<std::string_view, std::vector<ModelCells>> models_;  // by claim
   std::vector<CheckedCell> all_;
 };

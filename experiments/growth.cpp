@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <fmt/format.h>
+
+#include "ramify/run/run_plots.hpp"
 
 namespace ramify {
 namespace {
@@ -37,20 +40,27 @@ std::string exact_note(const ModelCells& model, const StatisticColumn& column) {
                      largest);
 }
 
-PlotSeries sampled_means(const GrowthCase& growth, const std::vector<SizedMean>& means) {
-  PlotSeries sampled{growth.model.model.text(), PlotSeries::Style::points, {}, {}};
-  for (const auto& point : means) sampled.points.push_back({point.n, point.mean, 2 * point.standard_error});
-  return sampled;
+/// The line of the claimed slope through the last point.
+std::vector<PlotPoint> law_through(const std::vector<SizedMean>& means, double theory) {
+  std::vector<PlotPoint> law;
+  const SizedMean& last = means.back();
+  for (const auto& point : means) law.push_back({point.n, last.mean + theory * std::log(point.n / last.n)});
+  return law;
 }
 
-PlotSeries law_through(const GrowthCase& growth, const std::vector<SizedMean>& means) {
+/// Points, exact curve and claimed slope of one model; the slope as it is drawn, per factor of 10, and as the
+/// sources give it.
+PlotSeries growth_series(const GrowthCase& growth) {
   const double theory = growth.claim.theory;
-  PlotSeries law{
-      fmt::format("{}: slope {:.4g}", growth.model.model.text(), theory), PlotSeries::Style::dashed, {}, {}};
-  const SizedMean& last = means.back();
-  for (const auto& point : means)
-    law.points.push_back({point.n, last.mean + theory * std::log(point.n / last.n), 0});
-  return law;
+  const std::string model = growth.model.model.text();
+  const auto means = means_of(growth.model, growth.claim.statistic);
+  PlotSeries series{
+      fmt::format("{}: claimed {:.4g} log n, {:.4g} a decade", model, theory, theory * std::numbers::ln10)};
+  for (const auto& point : means) series.points.push_back({point.n, point.mean, 2 * point.standard_error});
+  series.curve = exact_means(growth.model.curves, model, growth.claim.statistic);
+  series.guide = law_through(means, theory);
+  series.look = growth.model.look;
+  return series;
 }
 
 std::vector<GrowthCase> cases_of(const GrowthLaw& law, std::string_view id, const StatisticInfo& statistic,
@@ -99,21 +109,14 @@ Verdict judge_growth(const GrowthClaim& claim, const ModelCells& model) {
 }
 
 NamedPlot growth_plot(const PlotNames& names, const std::vector<GrowthCase>& cases) {
-  Plot plot{
-      std::string(names.title),
-      "points: sampled means with two standard errors; dashed: the claimed slope through the last point",
-      "n (internal nodes)",
-      std::string(names.y_label),
-      true,
-      false,
-      {}};
-  for (std::size_t i = 0; i < cases.size(); ++i) {
-    const auto means = means_of(cases[i].model, cases[i].claim.statistic);
-    for (auto& series : {sampled_means(cases[i], means), law_through(cases[i], means)}) {
-      plot.series.push_back(series);
-      plot.series.back().color = i;
-    }
-  }
+  Plot plot{std::string(names.title),
+            "points: sampled means, two standard errors; curves: exact; dashed: the claimed slope through "
+            "the last point",
+            "n (internal nodes)",
+            std::string(names.y_label),
+            true,
+            false};
+  for (const GrowthCase& growth : cases) plot.series.push_back(growth_series(growth));
   return {std::string(names.stem), std::move(plot)};
 }
 

@@ -47,8 +47,8 @@ struct GrowthCase {
   ModelCells model;
 };
 
-/// Mean against n with error bars, case by case, the growth law drawn through the last point (its slope is
-/// the claim, its height is not).
+/// Mean against n with error bars and its exact curve, case by case, the growth law drawn through the last
+/// point (its slope is the claim, its height is not).
 NamedPlot growth_plot(const PlotNames& names, const std::vector<GrowthCase>& cases);
 
 /// The same claim of every model, as data: lim E X_n / log n is a constant of the model.

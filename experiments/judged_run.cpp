@@ -18,9 +18,9 @@ RunOutcome run_and_judge(const RunConfig& config, const RunOptions& options, con
                          Evidence& evidence) {
   RunOutcome outcome = run_experiment(config, options, cancellation);
   if (!outcome.finished) return outcome;
-  evidence.add(config, outcome.cells);
-  Evidence own;
-  own.add(config, outcome.cells);
+  evidence.add(config, outcome.checked);
+  Evidence own(options.looks);
+  own.add(config, outcome.checked);
   if (served_claims(config).empty()) return outcome;
   write_file_atomically(outcome.folder / "verdict.json", verdict_json(own.verdicts()));
   write_plots(own, outcome.folder / "plots");

@@ -11,16 +11,16 @@
 namespace ramify::cli {
 namespace {
 
-void run_config(const RunConfig& config, const RunFlags& flags, const Cancellation& cancellation,
-                Evidence& evidence) {
+void run_config(const RunConfig& config, const RunFlags& flags, const ModelLooks& looks,
+                const Cancellation& cancellation, Evidence& evidence) {
   const auto folder = flags.folder_of(config);
   const RunOptions options{folder, read_threads(flags.threads), flags.resume,
-                           progress_line(folder.filename().string())};
+                           progress_line(folder.filename().string()), looks};
   const RunOutcome outcome = run_and_judge(config, options, cancellation, evidence);
   clear_progress_line();
   if (outcome.finished) return;
   fmt::print(stderr, "ramify: {} of the cells are complete and kept in {}; continue with --resume\n",
-             outcome.cells.size(), outcome.folder.string());
+             outcome.checked.cells.size(), outcome.folder.string());
   throw Interrupted();
 }
 
@@ -51,8 +51,10 @@ void print_cost(const std::vector<RunConfig>& configs, const RunFlags& flags) {
 Evidence run_configs(const std::vector<RunConfig>& configs, const RunFlags& flags,
                      const Cancellation& cancellation) {
   require_consent(total_nodes(configs), flags.yes);
-  Evidence evidence;
-  for (const auto& config : configs) run_config(config, flags, cancellation, evidence);
+  ModelLooks looks;
+  for (const auto& config : configs) looks.add(config);
+  Evidence evidence(looks);
+  for (const auto& config : configs) run_config(config, flags, looks, cancellation, evidence);
   return evidence;
 }
 

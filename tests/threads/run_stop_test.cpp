@@ -45,8 +45,8 @@ TEST_F(StoppedRun, KeepsCompleteCellsAndPutsItsThingsAway) {
   EXPECT_FALSE(stopped.finished);
   EXPECT_EQ(stopped.folder, folder_ / "o.incomplete");
   EXPECT_FALSE(fs::exists(folder_ / "o"));
-  ASSERT_EQ(stopped.cells.size(), 2u);
-  EXPECT_EQ(stopped.cells.back().result.n, 1000u);
+  ASSERT_EQ(stopped.checked.cells.size(), 2u);
+  EXPECT_EQ(stopped.checked.cells.back().result.n, 1000u);
   const std::string partial = table(stopped.folder);
   EXPECT_NE(partial.find("bst,1000,"), std::string::npos);
   EXPECT_EQ(partial.find("bst,30000,"), std::string::npos);
@@ -56,7 +56,7 @@ TEST_F(StoppedRun, KeepsCompleteCellsAndPutsItsThingsAway) {
 // Laws and plots take longer than the two seconds that a stopped run has.
 TEST_F(StoppedRun, HasNoTimeForLawsAndPlots) {
   const RunOutcome stopped = run("o", false, two_cells);
-  for (const auto& cell : stopped.cells) EXPECT_FALSE(cell.worst_z());
+  for (const auto& cell : stopped.checked.cells) EXPECT_FALSE(cell.worst_z());
   EXPECT_TRUE(fs::is_empty(stopped.folder / "plots"));
 }
 

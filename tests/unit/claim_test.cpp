@@ -146,8 +146,8 @@ std::vector<CheckedCell> cells_of(const RunConfig& config) {
 TEST(Evidence, OfTwoConfigsIsThatOfOne) {
   const RunConfig small = config_of("C6", "bst", "depth"), large = config_of("C6", "beta(1,1)", "depth", 8);
   Evidence evidence;
-  evidence.add(large, cells_of(large));
-  evidence.add(small, cells_of(small));
+  evidence.add(large, {cells_of(large)});
+  evidence.add(small, {cells_of(small)});
   EXPECT_EQ(evidence.verdicts().size(), 2u);
   EXPECT_EQ(evidence.verdicts().front().statement, "E D_n ~ log(n)/mu, beta(1,1)");
 }
@@ -189,7 +189,7 @@ TEST(Verdicts, OfTheCommittedCellsAreTheCommittedOnes) {
   Evidence evidence;
   for (const auto& file : config_files(std::string(RAMIFY_SOURCE_DIR) + "/configs/quick")) {
     const RunConfig config = read_run_config(file);
-    if (config.claim) evidence.add(config, committed_cells(config));
+    if (config.claim) evidence.add(config, {committed_cells(config)});
   }
   const CsvData now = CsvData::parse(write_csv(verdict_table(evidence.verdicts())), "now");
   const CsvData committed = CsvData::read(reference / "verdicts.csv");

@@ -4,10 +4,12 @@
 #include <limits>
 #include <string>
 
+#include "support/error_of.hpp"
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include "ramify/core/error.hpp"
+#include "ramify/report/picture_file.hpp"
 #include "ramify/report/plot.hpp"
 #include "ramify/text/text_file.hpp"
 
@@ -15,7 +17,6 @@ namespace ramify {
 namespace {
 
 namespace fs = std::filesystem;
-using Style = PlotSeries::Style;
 
 class PlotTest : public testing::Test {
  protected:
@@ -39,9 +40,9 @@ Plot sample_plot() {
   plot.x_label = "n";
   plot.y_label = "E H";
   plot.log_x = true;
-  plot.series = {{"bst", Style::points, {{100, 12.5, 0.25}, {1000, 22, 0.5}, {1e6, 50, std::nan("")}}},
-                 {"theorem", Style::dashed, {{100, 12}, {1e6, 51}}, 0},
-                 {"both", Style::points_line, {{100, 20, 1}, {1e6, 21, 1}}}};
+  plot.series = {{"bst", {{100, 12.5, 0.25}, {1000, 22, 0.5}, {1e6, 50, std::nan("")}}},
+                 {"theorem", {}, {}, {{100, 12}, {1e6, 51}}},
+                 {"both", {{100, 20, 1}, {1e6, 21, 1}}, {{100, 20.5}, {1e6, 20.5}}}};
   return plot;
 }
 
@@ -61,11 +62,41 @@ TEST_F(PlotTest, ScriptHoldsTheDataAndTheErrorBars) {
   EXPECT_FALSE(contains(script, "set logscale y\n"));
   EXPECT_TRUE(contains(script, "'10²' 1e2, '' 2e2 1,"));
   EXPECT_TRUE(contains(script, "keyentry with points lc rgb '#0072B2' lw 1.5 pt 7 ps 1 title 'bst'"));
-  EXPECT_TRUE(contains(script, "keyentry with lines lc rgb '#0072B2' lw 2 dt (9,6) title 'theorem'"));
-  EXPECT_TRUE(contains(script, "keyentry with linespoints lc rgb '#009E73'"));
-  EXPECT_LT(script.find("$series_2 using 1:2 with lines"),
+  EXPECT_TRUE(contains(script, "keyentry with lines lc rgb '#D55E00' lw 2 dt (9,6) title 'theorem'"));
+  EXPECT_TRUE(contains(script, "keyentry with linespoints lc rgb '#009E73' lw 2 pt 9 ps 1.1 title 'both'"));
+  EXPECT_LT(script.find("$guide_2 using 1:2 with lines"),
+            script.find("$series_1 using 1:2:3:4 with yerrorbars"));
+  EXPECT_LT(script.find("$curve_3 using 1:2 with lines"),
             script.find("$series_1 using 1:2:3:4 with yerrorbars"));
   EXPECT_FALSE(contains(script, folder_.string()));  // it can be moved
+}
+
+TEST_F(PlotTest, OneLookIsOneModelWhateverItsPlace) {
+  Plot plot = sample_plot();
+  plot.series = {{"a", {{1, 1}}}, {"b", {{1, 2}}}, {"c", {{1, 3}}}};
+  plot.series[0].look = 1;
+  plot.series[2].look = 9;  // beyond the palette: the colour comes again, with another symbol
+  const std::string script = read_text_file(draw(plot, "looks").script);
+  EXPECT_TRUE(contains(script, "points lc rgb '#D55E00' lw 1.5 pt 5 ps 0.85 title 'a'"));
+  EXPECT_TRUE(contains(script, "points lc rgb '#D55E00' lw 1.5 pt 5 ps 0.85 title 'b'"));
+  EXPECT_TRUE(contains(script, "points lc rgb '#D55E00' lw 1.5 pt 9 ps 1.1 title 'c'"));
+}
+
+TEST_F(PlotTest, BarsStandOnZeroAndHaveRoomAtTheEnds) {
+  Plot plot = sample_plot();
+  plot.log_x = false;
+  plot.whole_x = true;
+  plot.series = {{"", {{2, 0.25}, {3, 0.75}}}};
+  plot.series[0].mark = PlotSeries::Mark::bar;
+  const PlotFiles files = draw(plot, "bars");
+  const std::string script = read_text_file(files.script);
+  EXPECT_TRUE(contains(script, "set xrange [1.44:3.56]\n"));
+  EXPECT_TRUE(contains(script, "set yrange [0:0.795]\n"));
+  EXPECT_TRUE(contains(script, "set xtics 1\n"));
+  EXPECT_TRUE(contains(script, "$series_1 using 1:2:(0.9) with boxes"));
+  if (gnuplot_is_there()) {
+    EXPECT_EQ(files.status, PlotStatus::drawn) << files.message;
+  }
 }
 
 TEST_F(PlotTest, SameBytesEachTime) {
@@ -121,9 +152,8 @@ TEST_F(PlotTest, PointsThatHaveNoPlaceAreLeftOut) {
   const double infinity = std::numeric_limits<double>::infinity();
   Plot plot = sample_plot();
   plot.log_y = true;
-  plot.series = {
-      {"a", Style::points, {{0, 1}, {-1, 1}, {1, 0}, {std::nan(""), 1}, {1, infinity}, {2, 3, 4}, {20, 300}}},
-      {"empty", Style::line, {}}};
+  plot.series = {{"a", {{0, 1}, {-1, 1}, {1, 0}, {std::nan(""), 1}, {1, infinity}, {2, 3, 4}, {20, 300}}},
+                 {"empty"}};
   const PlotFiles files = draw(plot, "odd");
   const std::string script = read_text_file(files.script);
   // The bar of (2, 3 +- 4) would reach below 0.
@@ -138,7 +168,7 @@ TEST_F(PlotTest, OnePointIsAPicture) {
   for (const bool log : {false, true}) {
     Plot plot = sample_plot();
     plot.log_x = plot.log_y = log;
-    plot.series = {{"", Style::points, {{579, 5.03}}}};
+    plot.series = {{"", {{579, 5.03}}}};
     const PlotFiles files = draw(plot, "one");
     EXPECT_TRUE(contains(read_text_file(files.script), "unset key"));
     if (gnuplot_is_there()) {
@@ -149,7 +179,7 @@ TEST_F(PlotTest, OnePointIsAPicture) {
 
 TEST_F(PlotTest, NoPointsNoFiles) {
   Plot plot = sample_plot();
-  plot.series = {{"a", Style::points, {}}};
+  plot.series = {{"a"}};
   EXPECT_EQ(draw(plot, "none").status, PlotStatus::no_points);
   EXPECT_TRUE(fs::is_empty(folder_));
 }
@@ -178,6 +208,28 @@ TEST_F(PlotTest, GnuplotThatFailsLeavesNoPicture) {
   EXPECT_EQ(files.status, PlotStatus::failed);
   EXPECT_EQ(files.message, "no memory left");
   EXPECT_FALSE(fs::exists(folder_ / "out" / "height.svg"));
+}
+
+TEST_F(PlotTest, APictureFileIsTheOneFileAsked) {
+  EXPECT_EQ(
+      test::error_of([] { PictureFile("tree.pdf"); }),
+      "--plot tree.pdf (pictures are SVG or PNG, as the name ends): take a name that ends in .svg or .png");
+  if (!gnuplot_is_there()) GTEST_SKIP() << "gnuplot is not installed";
+  PictureFile(folder_ / "it's.svg").draw(sample_plot());
+  EXPECT_TRUE(contains(read_text_file(folder_ / "it's.svg"), "<svg"));
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
+  Plot empty = sample_plot();
+  empty.series.clear();
+  EXPECT_TRUE(contains(test::error_of([&] { PictureFile(folder_ / "none.svg").draw(empty); }),
+                       "there is no value to draw"));
+}
+
+TEST_F(PlotTest, APictureFileWithoutGnuplotIsRefused) {
+  const std::string before = std::getenv("PATH");
+  ::setenv("PATH", folder_.c_str(), 1);
+  const std::string error = test::error_of([&] { PictureFile("a.png").draw(sample_plot()); });
+  ::setenv("PATH", before.c_str(), 1);
+  EXPECT_EQ(error, "--plot a.png (gnuplot is not installed): install gnuplot, or leave --plot out");
 }
 
 TEST_F(PlotTest, FolderThatIsNotThere) {

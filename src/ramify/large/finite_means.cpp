@@ -66,7 +66,8 @@ FiniteMeans::FiniteMeans(const Model& model, const std::vector<Size>& sizes)
 
 std::optional<Moments> FiniteMeans::moments(const StatisticColumn& column, Size n) const {
   if (n <= exact_.largest_n()) return exact_.moments(column, n);
-  if (!std::ranges::binary_search(large_sizes_, static_cast<double>(n))) return std::nullopt;
+  if (large_sizes_.empty() || beyond(model_, {n}).empty() || static_cast<double>(n) > large_sizes_.back())
+    return std::nullopt;
   const ExactLaw& law = column.statistic->law;
   const auto moments = large_moments(law.recurrence, column.place, n);
   return moments ? std::optional(moments->mapped(law.map(static_cast<double>(n)))) : std::nullopt;

@@ -19,8 +19,9 @@ struct FiniteMeansCost {
   std::vector<std::string_view> left_out;
 };
 
-/// The mean and variance of a table's columns at given sizes of any magnitude, for one split model: exact up
-/// to law_limit(model), beyond on a grid (LargeLaw), with errors below what any sample could tell.
+/// The mean and variance of a table's columns at given sizes of any magnitude, and at those between them, for
+/// one split model: exact up to law_limit(model), beyond on a grid (LargeLaw), with errors below what any
+/// sample could tell.
 ///
 /// Laws are computed when they are first asked for, for all the sizes, and kept. For use by one thread at a
 /// time.
@@ -35,9 +36,9 @@ class FiniteMeans {
   static FiniteMeansCost cost(const Model& model, const std::vector<Size>& sizes,
                               const StatisticSet& statistics);
 
-  /// Nothing where the statistic has no law, where the model has none beyond law_limit, or where it would
-  /// take longer than longest_seconds. The variance is NaN where only the mean is known, as of counts beyond
-  /// law_limit.
+  /// Nothing where n lies above the given sizes, or between the exact and the larger ones of them, where the
+  /// statistic has no law, where the model has none beyond law_limit, or where it would take longer than
+  /// longest_seconds. The variance is NaN where only the mean is known, as of counts beyond law_limit.
   std::optional<Moments> moments(const StatisticColumn& column, Size n) const;
 
  private:

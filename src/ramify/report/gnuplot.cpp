@@ -14,8 +14,6 @@ namespace {
 
 using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
-constexpr int not_installed = 127;
-
 std::string last_line(std::FILE* file) {
   std::string line, last;
   if (std::fseek(file, 0, SEEK_SET) != 0) return last;

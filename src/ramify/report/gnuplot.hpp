@@ -6,9 +6,12 @@
 
 namespace ramify::detail {
 
+/// What the shell says of a program that is not there.
+inline constexpr int not_installed = 127;
+
 /// How a program ended and what it said.
 struct ProgramResult {
-  int exit_code;       ///< 127 where it is not installed; 128 + signal where it was killed
+  int exit_code;       ///< not_installed where there is none; 128 + signal where it was killed
   std::string output;  ///< the last line it printed that is not empty
 };
 

@@ -11,8 +11,6 @@
 namespace ramify {
 namespace {
 
-constexpr int not_installed = 127;
-
 bool is_drawn(const std::filesystem::path& picture) {
   std::error_code ignored;
   const auto size = std::filesystem::file_size(picture, ignored);
@@ -37,7 +35,7 @@ PlotFiles write_plot(const Plot& plot, const std::filesystem::path& folder, std:
   for (const auto* picture : {&files.svg, &files.png}) std::filesystem::remove(*picture, ignored);
   const auto result = detail::run_gnuplot(folder, fmt::format("{}.gp", stem));
   if (result.exit_code == 0 && is_drawn(files.svg) && is_drawn(files.png)) return files;
-  files.status = result.exit_code == not_installed ? PlotStatus::no_gnuplot : PlotStatus::failed;
+  files.status = result.exit_code == detail::not_installed ? PlotStatus::no_gnuplot : PlotStatus::failed;
   files.message = result.output;
   for (auto* picture : {&files.svg, &files.png}) {
     std::filesystem::remove(*picture, ignored);

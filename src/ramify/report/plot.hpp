@@ -15,15 +15,23 @@ struct PlotPoint {
   double error = 0;
 };
 
-/// Points of one kind, with one entry in the legend (none where the label is empty).
+/// What is known of one thing, a model say: points that were measured, a curve that was computed, a dashed
+/// line that is claimed or fitted. All have one colour and one entry in the legend (none where the label is
+/// empty); lines lie beneath points.
 struct PlotSeries {
-  enum class Style { points, line, dashed, points_line };
+  enum class Mark { symbol, bar };
 
+  // NOLINTBEGIN(readability-redundant-member-init): -Wextra wants them where an aggregate leaves them out
   std::string label;
-  Style style = Style::points;
-  std::vector<PlotPoint> points;
-  /// Place in the palette; by default the series' own place. Give a theory's line the colour of its points.
-  std::optional<std::size_t> color{};  // NOLINT(readability-redundant-member-init): -Wextra wants it
+  std::vector<PlotPoint> points = {};
+  std::vector<PlotPoint> curve = {};  ///< broken where a point has no place
+  std::vector<PlotPoint> guide = {};
+  Mark mark = Mark::symbol;  ///< of the points; bars stand on 0
+  double bar_width = 1;
+  /// Colour and symbol, by number; by default the series' place in the plot. One number for one model in all
+  /// plots.
+  std::optional<std::size_t> look = {};
+  // NOLINTEND(readability-redundant-member-init)
 };
 
 /// A picture of a table: x against y, series by series.
@@ -34,7 +42,8 @@ struct Plot {
   std::string y_label;
   bool log_x = false;
   bool log_y = false;
-  std::vector<PlotSeries> series;
+  std::vector<PlotSeries> series = {};  // NOLINT(readability-redundant-member-init): -Wextra wants it
+  bool whole_x = false;                 ///< tics at whole numbers alone
 };
 
 /// What became of a plot.

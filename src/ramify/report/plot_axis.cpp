@@ -12,17 +12,17 @@
 namespace ramify::detail {
 namespace {
 
-struct Tics {
+struct TicList {
   std::vector<std::string> entries;
   std::size_t labelled = 0;
 };
 
 /// Every 1, 2, .. 9 times a power of ten from low to high; labels on the digits given, and on each power.
-Tics log_tics(double low, double high, std::string_view labelled_digits) {
+TicList log_tics(double low, double high, std::string_view labelled_digits) {
   const int first = static_cast<int>(std::floor(std::log10(low)));
   const int last = static_cast<int>(std::floor(std::log10(high)));
   const bool plain = first >= -3 && last <= 4;
-  Tics tics;
+  TicList tics;
   for (int exponent = first; exponent <= last; ++exponent) {
     for (int digit = 1; digit <= 9; ++digit) {
       const std::string number = fmt::format("{}e{}", digit, exponent);
@@ -44,11 +44,11 @@ Tics log_tics(double low, double high, std::string_view labelled_digits) {
 
 /// Labels at equal steps of 1, 2 or 5 times a power of ten, 4 to 9 of them: for a log axis of less than a
 /// decade.
-Tics equal_tics(double low, double high) {
+TicList equal_tics(double low, double high) {
   const double wanted = (high - low) / 4;
   const double power = std::pow(10.0, std::floor(std::log10(wanted)));
   const double step = wanted >= 5 * power ? 5 * power : wanted >= 2 * power ? 2 * power : power;
-  Tics tics;
+  TicList tics;
   for (double i = std::ceil(low / step); i * step <= high; ++i) {
     const std::string number = fmt::format("{:.6g}", i * step);
     tics.entries.push_back(fmt::format("'{0}' {0}", number));
@@ -93,9 +93,13 @@ void PlotAxis::pad(double part) {
 std::string PlotAxis::script(std::string_view name) const {
   std::string text =
       fmt::format("set {}range [{:.6g}:{:.6g}]\nset format {} '%.10g'\n", name, low_, high_, name);
-  if (!logarithmic_) return text;
+  if (!logarithmic_) {
+    // Where the range is long gnuplot's own steps are whole anyway.
+    if (tics_ == Tics::whole && high_ - low_ < 20) text += fmt::format("set {}tics 1\n", name);
+    return text;
+  }
   text += fmt::format("set logscale {}\n", name);
-  Tics tics = log_tics(low_, high_, "1");
+  TicList tics = log_tics(low_, high_, "1");
   if (tics.labelled < 3) tics = log_tics(low_, high_, "125");
   if (tics.labelled < 3) tics = equal_tics(low_, high_);
   return text + fmt::format("set {}tics ({})\n", name, fmt::join(tics.entries, ", "));

@@ -7,12 +7,16 @@ namespace ramify::detail {
 /// The range of an axis: widened value by value, then by a margin.
 class PlotAxis {
  public:
-  explicit PlotAxis(bool logarithmic) : logarithmic_(logarithmic) {}
+  enum class Tics { any, whole };
+
+  explicit PlotAxis(bool logarithmic, Tics tics = Tics::any) : logarithmic_(logarithmic), tics_(tics) {}
 
   bool holds(double value) const;
   void include(double value);
   /// Room around the values, as a part of their range on the axis.
   void pad(double part);
+  /// No room below: bars stand on the axis.
+  void begin_at(double low) { low_ = low; }
 
   double low() const { return low_; }
   double high() const { return high_; }
@@ -22,6 +26,7 @@ class PlotAxis {
 
  private:
   bool logarithmic_;
+  Tics tics_;
   bool empty_ = true;
   double low_ = 0;
   double high_ = 0;

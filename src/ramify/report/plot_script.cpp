@@ -13,18 +13,19 @@
 namespace ramify::detail {
 namespace {
 
-using Style = PlotSeries::Style;
+using Mark = PlotSeries::Mark;
 
 constexpr int width = 1000, height = 640;
 constexpr int left = 98, right = 28, bottom = 70;
 constexpr int title_height = 44, subtitle_height = 24, legend_row_height = 21;
 
-// Okabe and Ito's colours, told apart by colour-blind readers and in grey; yellow is too pale on white.
-constexpr std::array<std::string_view, 7> palette{"#0072B2", "#D55E00", "#009E73", "#CC79A7",
-                                                  "#E69F00", "#56B4E9", "#444444"};
-// Filled circle, square, triangle, diamond, triangle down, pentagon, open circle.
-constexpr std::array<int, 7> shapes{7, 5, 9, 13, 11, 15, 6};
-constexpr std::array<double, 7> shape_sizes{1.0, 0.85, 1.1, 1.15, 1.1, 1.0, 1.0};
+// Okabe and Ito's colours, told apart by colour-blind readers and in grey, and a wine red; yellow is too pale
+// on white.
+constexpr std::array<std::string_view, 8> palette{"#0072B2", "#D55E00", "#009E73", "#CC79A7",
+                                                  "#E69F00", "#56B4E9", "#444444", "#882255"};
+// Filled circle, square, triangle, diamond, triangle down, pentagon, open circle, open square.
+constexpr std::array<int, 8> shapes{7, 5, 9, 13, 11, 15, 6, 4};
+constexpr std::array<double, 8> shape_sizes{1.0, 0.85, 1.1, 1.15, 1.1, 1.0, 1.0, 0.85};
 
 /// Characters, not bytes.
 std::size_t length(std::string_view text) {
@@ -32,29 +33,52 @@ std::size_t length(std::string_view text) {
       std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
 }
 
-bool has_line(Style style) {
-  return style != Style::points;
-}
-bool has_points(Style style) {
-  return style == Style::points || style == Style::points_line;
-}
+/// Colour and symbol of a series; beyond the palette a colour comes again with another symbol.
+class Look {
+ public:
+  explicit Look(std::size_t number)
+      : color_(palette[number % palette.size()]),
+        shape_((number + number / palette.size()) % shapes.size()) {}
 
-/// The look of a series, as gnuplot options.
-std::string look(const PlotSeries& series, std::size_t place) {
-  const std::size_t color = series.color.value_or(place) % palette.size();
-  std::string options = fmt::format("lc rgb '{}'", palette[color]);
-  options += has_line(series.style) ? " lw 2" : " lw 1.5";
-  if (series.style == Style::dashed) options += " dt (9,6)";
-  if (has_points(series.style)) options += fmt::format(" pt {} ps {}", shapes[color], shape_sizes[color]);
-  return options;
-}
+  std::string symbol() const {
+    return fmt::format("lc rgb '{}' lw 1.5 pt {} ps {}", color_, shapes[shape_], shape_sizes[shape_]);
+  }
+  std::string solid() const { return fmt::format("lc rgb '{}' lw 2", color_); }
+  std::string dashed() const { return solid() + " dt (9,6)"; }
+  std::string bar() const {
+    return fmt::format("lc rgb '{0}' lw 1 fs solid 0.35 border lc rgb '{0}'", color_);
+  }
+
+  /// What stands for the whole series in the legend.
+  std::string entry(const PlotSeries& series) const {
+    const bool has_line = !series.curve.empty() || !series.guide.empty();
+    const std::string line = series.curve.empty() ? dashed() : solid();
+    if (series.points.empty()) return "lines " + line;
+    if (series.mark == Mark::bar) return has_line ? "lines " + line : "boxes " + bar();
+    if (!has_line) return "points " + symbol();
+    return fmt::format("linespoints {} pt {} ps {}", line, shapes[shape_], shape_sizes[shape_]);
+  }
+
+ private:
+  std::string_view color_;
+  std::size_t shape_;
+};
+
+/// The data of a series, as gnuplot reads them; empty where there are none.
+struct Blocks {
+  std::string points, curve, guide;
+  bool empty() const { return points.empty() && curve.empty() && guide.empty(); }
+};
 
 class Script {
  public:
   Script(const Plot& plot, std::string_view stem)
-      : plot_(plot), stem_(stem), x_(plot.log_x), y_(plot.log_y), blocks_(plot.series.size()) {
-    for (std::size_t i = 0; i < plot.series.size(); ++i)
-      for (const auto& point : plot.series[i].points) add_point(point, blocks_[i]);
+      : plot_(plot),
+        stem_(stem),
+        x_(plot.log_x, plot.whole_x ? PlotAxis::Tics::whole : PlotAxis::Tics::any),
+        y_(plot.log_y),
+        blocks_(plot.series.size()) {
+    for (std::size_t i = 0; i < plot.series.size(); ++i) add_series(plot.series[i], blocks_[i]);
     for (const auto& series : plot.series)
       if (!series.label.empty()) longest_label_ = std::max(longest_label_, length(series.label));
     legend_entries_ = static_cast<std::size_t>(std::count_if(
@@ -66,13 +90,29 @@ class Script {
       return std::nullopt;
     x_.pad(0.03);
     y_.pad(0.06);
+    if (has_bars_ && y_.low() < 0) y_.begin_at(0);
     return head() + data() + frame() + titles() + legend() + drawing();
   }
 
  private:
+  void add_series(const PlotSeries& series, Blocks& blocks) {
+    for (const auto& point : series.points) add_point(point, blocks.points);
+    for (const auto& point : series.curve) add_point(point, blocks.curve);
+    for (const auto& point : series.guide) add_point(point, blocks.guide);
+    if (series.mark != Mark::bar || blocks.points.empty()) return;
+    has_bars_ = true;
+    if (y_.holds(0)) y_.include(0);
+    for (const auto& point : series.points)
+      for (const double x : {point.x - series.bar_width / 2, point.x + series.bar_width / 2})
+        if (x_.holds(x)) x_.include(x);
+  }
+
   /// One line of data: x, y, and both ends of the error bar.
   void add_point(const PlotPoint& point, std::string& block) {
-    if (!x_.holds(point.x) || !y_.holds(point.y)) return;
+    if (!x_.holds(point.x) || !y_.holds(point.y)) {
+      if (!block.empty() && !block.ends_with("\n\n")) block += '\n';  // a line is broken here
+      return;
+    }
     const double error = std::isfinite(point.error) ? std::abs(point.error) : 0;
     // On a log axis a bar that reaches 0 has no lower end: it is cut where it leaves the picture.
     const double low = y_.holds(point.y - error) ? point.y - error : point.y / 10;
@@ -108,7 +148,10 @@ class Script {
   std::string data() const {
     std::string text = "# x, y, lower and upper end of the error bar\n";
     for (std::size_t i = 0; i < blocks_.size(); ++i)
-      if (!blocks_[i].empty()) text += fmt::format("$series_{} << END\n{}END\n", i + 1, blocks_[i]);
+      for (const auto& [name, block] :
+           {std::pair{"series", &blocks_[i].points}, std::pair{"curve", &blocks_[i].curve},
+            std::pair{"guide", &blocks_[i].guide}})
+        if (!block->empty()) text += fmt::format("${}_{} << END\n{}END\n", name, i + 1, *block);
     return text + "\n";
   }
 
@@ -148,28 +191,30 @@ class Script {
         across(left - 10), down(top() - 14), legend_columns());
   }
 
-  /// Lines under points, whatever the order of the legend.
+  /// Bars, lines, symbols, one over the other whatever the order of the series; then the legend.
   std::vector<std::string> layers() const {
-    std::vector<std::string> lines, points, entries;
+    std::vector<std::string> bars, lines, symbols, entries;
     for (std::size_t i = 0; i < blocks_.size(); ++i) {
       const PlotSeries& series = plot_.series[i];
-      if (blocks_[i].empty()) continue;
-      const std::string options = look(series, i);
-      const std::string block = fmt::format("$series_{}", i + 1);
-      if (has_line(series.style))
-        lines.push_back(fmt::format("{} using 1:2 with lines {} notitle", block, options));
-      if (has_points(series.style))
-        points.push_back(fmt::format("{} using 1:2:3:4 with yerrorbars {} notitle", block, options));
-      if (series.label.empty()) continue;
-      const std::string_view sample = !has_points(series.style) ? "lines"
-                                      : has_line(series.style)  ? "linespoints"
-                                                                : "points";
-      entries.push_back(
-          fmt::format("keyentry with {} {} title {}", sample, options, gnuplot_string(series.label)));
+      const Blocks& blocks = blocks_[i];
+      const Look look(series.look.value_or(i));
+      if (!blocks.points.empty() && series.mark == Mark::bar)
+        bars.push_back(fmt::format("$series_{} using 1:2:({}) with boxes {} notitle", i + 1,
+                                   format_summary(0.9 * series.bar_width), look.bar()));
+      if (!blocks.curve.empty())
+        lines.push_back(fmt::format("$curve_{} using 1:2 with lines {} notitle", i + 1, look.solid()));
+      if (!blocks.guide.empty())
+        lines.push_back(fmt::format("$guide_{} using 1:2 with lines {} notitle", i + 1, look.dashed()));
+      if (!blocks.points.empty() && series.mark == Mark::symbol)
+        symbols.push_back(
+            fmt::format("$series_{} using 1:2:3:4 with yerrorbars {} notitle", i + 1, look.symbol()));
+      if (!series.label.empty() && !blocks.empty())
+        entries.push_back(
+            fmt::format("keyentry with {} title {}", look.entry(series), gnuplot_string(series.label)));
     }
-    lines.insert(lines.end(), points.begin(), points.end());
-    lines.insert(lines.end(), entries.begin(), entries.end());
-    return lines;
+    for (const auto* layer : {&lines, &symbols, &entries})
+      bars.insert(bars.end(), layer->begin(), layer->end());
+    return bars;
   }
 
   std::string drawing() const {
@@ -191,7 +236,8 @@ class Script {
   const Plot& plot_;
   std::string_view stem_;
   PlotAxis x_, y_;
-  std::vector<std::string> blocks_;
+  std::vector<Blocks> blocks_;
+  bool has_bars_ = false;
   std::size_t longest_label_ = 0;
   std::size_t legend_entries_ = 0;
 };

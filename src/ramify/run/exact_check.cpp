@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
+#include <string_view>
 
 #include "ramify/core/parallel.hpp"
 #include "ramify/large/finite_means.hpp"
+#include "ramify/law/law_limit.hpp"
 
 namespace ramify {
 namespace {
@@ -25,6 +28,54 @@ std::optional<ExactCheck> check(const ColumnSummary& column, const CellResult& c
   return ExactCheck{exact->mean, (column.mean - exact->mean) / standard_error(column, *exact)};
 }
 
+/// The cells of every model, models by name.
+std::vector<std::vector<CheckedCell*>> models_of(std::vector<CheckedCell>& cells) {
+  std::map<std::string_view, std::vector<CheckedCell*>> by_model;
+  for (CheckedCell& cell : cells) by_model[cell.result.model].push_back(&cell);
+  std::vector<std::vector<CheckedCell*>> groups;
+  for (auto& [model, members] : by_model) groups.push_back(std::move(members));
+  return groups;
+}
+
+/// Sizes between the smallest and the largest, in equal steps of log n: enough for an oscillation that comes
+/// again with every factor of 2.
+std::vector<Size> sizes_between(Size smallest, Size largest) {
+  constexpr double steps = 48;  // per factor of 10
+  std::vector<Size> sizes;
+  const double from = std::log10(static_cast<double>(std::max<Size>(1, smallest)));
+  const double decades = std::log10(static_cast<double>(std::max<Size>(1, largest))) - from;
+  const double points = std::ceil(steps * decades);
+  for (double i = 0; i <= points; ++i) {
+    const Size n = i == points ? largest : static_cast<Size>(std::pow(10, from + decades * i / points));
+    if (sizes.empty() || n > sizes.back()) sizes.push_back(n);
+  }
+  return sizes;
+}
+
+bool is_drawn(const StatisticColumn& column) {
+  return column.statistic->shape == Columns::one ||
+         (column.statistic->shape == Columns::orders && column.place.high <= highest_drawn_order);
+}
+
+/// The curves of one model, from its laws; none where all of its cells have one size.
+std::vector<ExactCurve> curves_of(const std::vector<CheckedCell*>& cells, const FiniteMeans& laws) {
+  const auto [smallest, largest] =
+      std::ranges::minmax_element(cells, {}, [](const CheckedCell* cell) { return cell->result.n; });
+  constexpr Moments unknown{ColumnSummary::none, ColumnSummary::none};
+  std::vector<ExactCurve> curves;
+  if ((*smallest)->result.n == (*largest)->result.n) return curves;
+  const auto sizes = sizes_between((*smallest)->result.n, (*largest)->result.n);
+  for (const ColumnSummary& summary : (*largest)->result.columns) {
+    if (!is_drawn(summary.column)) continue;
+    ExactCurve curve{(*largest)->result.model, summary.column, {}};
+    for (const Size n : sizes)
+      curve.points.push_back({static_cast<double>(n), laws.moments(curve.column, n).value_or(unknown)});
+    const auto is_known = [](const ExactCurve::Point& point) { return !std::isnan(point.moments.mean); };
+    if (std::ranges::any_of(curve.points, is_known)) curves.push_back(std::move(curve));
+  }
+  return curves;
+}
+
 }  // namespace
 
 std::vector<CheckedCell> unchecked(std::vector<FinishedCell> cells) {
@@ -36,25 +87,26 @@ std::vector<CheckedCell> unchecked(std::vector<FinishedCell> cells) {
   return result;
 }
 
-std::vector<CheckedCell> check_against_exact_laws(const Plan& plan, std::vector<FinishedCell> cells,
-                                                  unsigned threads) {
-  std::vector<CheckedCell> checked = unchecked(std::move(cells));
-  std::map<std::string, std::vector<std::size_t>> by_model;
-  for (std::size_t i = 0; i < checked.size(); ++i) by_model[checked[i].result.model].push_back(i);
-  const std::vector<std::pair<std::string, std::vector<std::size_t>>> groups(by_model.begin(),
-                                                                             by_model.end());
+CheckedRun check_against_exact_laws(const Plan& plan, std::vector<FinishedCell> finished, unsigned threads) {
+  CheckedRun run{unchecked(std::move(finished))};
+  const auto groups = models_of(run.cells);
+  std::vector<std::vector<ExactCurve>> curves(groups.size());
   parallel_for(groups.size(), threads, [&](std::size_t group, unsigned) {
-    const auto& members = groups[group].second;
-    const Model& model = plan.cells[checked[members.front()].number - 1].model;
+    const auto& members = groups[group];
+    const Model& model = plan.cells[members.front()->number - 1].model;
     if (!model.is_split()) return;
     std::vector<Size> sizes;
-    for (const std::size_t i : members) sizes.push_back(checked[i].result.n);
+    for (const CheckedCell* cell : members) sizes.push_back(cell->result.n);
+    // So that curves have no gap between the exact laws and those on a grid.
+    if (std::ranges::max(sizes) > law_limit(model)) sizes.push_back(law_limit(model));
     const FiniteMeans laws(model, sizes);
-    for (const std::size_t i : members)
-      for (std::size_t c = 0; c < checked[i].checks.size(); ++c)
-        checked[i].checks[c] = check(checked[i].result.columns[c], checked[i].result, laws);
+    for (CheckedCell* cell : members)
+      for (std::size_t c = 0; c < cell->checks.size(); ++c)
+        cell->checks[c] = check(cell->result.columns[c], cell->result, laws);
+    curves[group] = curves_of(members, laws);
   });
-  return checked;
+  for (auto& of_model : curves) std::ranges::move(of_model, std::back_inserter(run.curves));
+  return run;
 }
 
 }  // namespace ramify

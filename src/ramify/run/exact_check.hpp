@@ -13,11 +13,14 @@ struct FinishedCell {
   CellResult result;
 };
 
+/// The highest order (leaf order 0) whose counts have curves: plots show the ratios of the orders up to it.
+inline constexpr std::size_t highest_drawn_order = 2;
+
 /// Puts the exact finite-n mean and the z-score beside every sampled mean whose law is in reach
 /// (large/finite_means.hpp). The laws of one model are computed once, models on up to `threads` threads; the
-/// outcome does not depend on that.
-std::vector<CheckedCell> check_against_exact_laws(const Plan& plan, std::vector<FinishedCell> cells,
-                                                  unsigned threads);
+/// outcome does not depend on that. The laws give the curves too, from the smallest to the largest size of a
+/// model, of every statistic of one column and of the counts to highest_drawn_order.
+CheckedRun check_against_exact_laws(const Plan& plan, std::vector<FinishedCell> cells, unsigned threads);
 
 /// The same without any check: what a stopped run has time for.
 std::vector<CheckedCell> unchecked(std::vector<FinishedCell> cells);

@@ -120,16 +120,20 @@ RunOutcome run_experiment(const RunConfig& config, const RunOptions& options,
   const bool grown = run_cells(plan, wanted, options.threads, cancellation, observer);
 
   // A stopped run has two seconds to put its things away: no laws, no plots.
-  RunOutcome outcome{
-      grown ? check_against_exact_laws(plan, book.finished(), options.threads) : unchecked(book.finished()),
-      grown, work};
-  write_tables(work, outcome.cells);
-  if (grown) write_plots(work / "plots", run_plots(outcome.cells, plan));
+  RunOutcome outcome{grown ? check_against_exact_laws(plan, book.finished(), options.threads)
+                           : CheckedRun{unchecked(book.finished())},
+                     grown, work};
+  write_tables(work, outcome.checked.cells);
+  if (grown) {
+    ModelLooks looks = options.looks;
+    looks.add(config);
+    write_plots(work / "plots", run_plots(outcome.checked, plan, looks));
+  }
   auto provenance = provenance_of(config, options, process);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   provenance["duration_seconds"] = seconds.count();
   provenance["sampled"] = sampled(plan);
-  provenance["cells"] = fmt::format("{} of {}", outcome.cells.size(), plan.cells.size());
+  provenance["cells"] = fmt::format("{} of {}", outcome.checked.cells.size(), plan.cells.size());
   provenance["status"] = outcome.finished ? "complete" : "interrupted: only the cells listed are complete";
   write_file_atomically(work / "provenance.json", provenance.dump(2) + "\n");
   if (!outcome.finished) return outcome;

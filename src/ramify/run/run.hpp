@@ -6,6 +6,7 @@
 
 #include "ramify/config/run_config.hpp"
 #include "ramify/core/cancellation.hpp"
+#include "ramify/run/model_looks.hpp"
 #include "ramify/run/run_tables.hpp"
 
 namespace ramify {
@@ -16,12 +17,13 @@ struct RunOptions {
   bool resume =
       false;  ///< take over the cells a stopped run left in "<folder>.incomplete", or all of a finished run
   std::function<void(double done, double total)> progress;  ///< nodes; may be empty
+  ModelLooks looks = {};  ///< of the models of all configs that the command runs; may be empty
 };
 
 struct RunOutcome {
-  std::vector<CheckedCell> cells;  ///< those that are complete, in the order of the plan
-  bool finished;                   ///< false where the user stopped it
-  std::filesystem::path folder;    ///< where the tables lie: options.folder, or "<folder>.incomplete"
+  CheckedRun checked;            ///< the cells that are complete, in the order of the plan
+  bool finished;                 ///< false where the user stopped it
+  std::filesystem::path folder;  ///< where the tables lie: options.folder, or "<folder>.incomplete"
 };
 
 /// Runs a config: grows the trees of all its cells, checks the means against exact laws, writes the tables,

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "ramify/io/table.hpp"
+#include "ramify/law/moments.hpp"
 #include "ramify/run/cell_result.hpp"
 
 namespace ramify {
@@ -15,6 +17,19 @@ struct ExactCheck {
   double z;
 };
 
+/// Exact moments of one column of one model, at many more sizes than were sampled: what is drawn beneath the
+/// points, which alone would hide how the mean oscillates between them.
+struct ExactCurve {
+  struct Point {
+    double n;
+    Moments moments;  ///< NaN where no law reaches, the variance also where only the mean is known
+  };
+
+  std::string model;
+  StatisticColumn column;
+  std::vector<Point> points;  ///< ascending n
+};
+
 /// A finished cell with its place in the plan (from 1) and, column by column, the exact checks.
 struct CheckedCell {
   std::size_t number;
@@ -23,6 +38,12 @@ struct CheckedCell {
 
   /// The largest |z| of the checks; nothing where there is none.
   std::optional<double> worst_z() const;
+};
+
+/// The cells of a run, held against exact laws, and the curves of these laws.
+struct CheckedRun {
+  std::vector<CheckedCell> cells;
+  std::vector<ExactCurve> curves = {};  // NOLINT(readability-redundant-member-init): -Wextra wants it
 };
 
 /// summary.csv: a row for every column of every cell.

@@ -1,5 +1,7 @@
 #include "ramify/statistic/statistic_info.hpp"
 
+#include <cctype>
+
 #include <fmt/format.h>
 
 namespace ramify {
@@ -19,6 +21,15 @@ std::string StatisticInfo::columns() const {
       return fmt::format("{0}_1_0..{0}_K_(K-1)", name);
   }
   return {};
+}
+
+std::string StatisticInfo::title() const {
+  constexpr std::size_t longest = 60;
+  std::string_view words = description;
+  if (words.size() > longest) words = words.substr(0, words.find(':'));
+  std::string title = fmt::format("{} ({})", words, name);
+  title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(title.front())));
+  return title;
 }
 
 std::vector<OrderPlace> StatisticInfo::places(std::size_t largest_order) const {

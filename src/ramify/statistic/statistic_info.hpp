@@ -53,6 +53,10 @@ struct StatisticInfo {
   /// "strahler", or "nodes_0..nodes_K".
   std::string columns() const;
 
+  /// "Horton-Strahler number: order of the root (strahler)": heads a picture; a long description ends at its
+  /// colon.
+  std::string title() const;
+
   /// One column for each pair of orders.
   bool by_pairs() const { return shape == Columns::pairs || shape == Columns::lower_pairs; }
 

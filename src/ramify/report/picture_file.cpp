@@ -1,0 +1,78 @@
+#include "ramify/report/picture_file.hpp"
+
+#include <cerrno>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+#include <stdlib.h>
+
+#include "ramify/core/error.hpp"
+#include "ramify/io/atomic_file.hpp"
+#include "ramify/report/gnuplot.hpp"
+#include "ramify/report/plot_script.hpp"
+
+namespace ramify {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder of our own, for as long as gnuplot draws.
+class ScratchFolder {
+ public:
+  ScratchFolder() {
+    std::string name = (fs::temp_directory_path() / "ramify-plot-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr)
+      throw Error(fmt::format("no folder '{}'", name), std::generic_category().message(errno),
+                  "set TMPDIR to a folder that can be written");
+    path_ = name;
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder(ScratchFolder&&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(ScratchFolder&&) = delete;
+  ~ScratchFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+std::string bytes_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::string ending_of(const fs::path& path) {
+  const std::string ending = path.extension().string();
+  if (ending == ".svg" || ending == ".png") return ending.substr(1);
+  throw Error(fmt::format("--plot {}", path.string()), "pictures are SVG or PNG, as the name ends",
+              "take a name that ends in .svg or .png");
+}
+
+}  // namespace
+
+PictureFile::PictureFile(fs::path path) : path_(std::move(path)), format_(ending_of(path_)) {}
+
+void PictureFile::draw(const Plot& plot) const {
+  const auto script = detail::plot_script(plot, "plot");
+  const std::string what = fmt::format("--plot {}", path_.string());
+  if (!script) throw Error(what, "there is no value to draw", "leave it out, or ask for other values");
+  const ScratchFolder scratch;
+  write_file_atomically(scratch.path() / "plot.gp", fmt::format("formats = '{}'\n{}", format_, *script));
+  const auto result = detail::run_gnuplot(scratch.path(), "plot.gp");
+  if (result.exit_code == detail::not_installed)
+    throw Error(what, "gnuplot is not installed", "install gnuplot, or leave --plot out");
+  const std::string picture = bytes_of(scratch.path() / fmt::format("plot.{}", format_));
+  if (result.exit_code != 0 || picture.empty())
+    throw Error(what, fmt::format("gnuplot failed: {}", result.output), "leave --plot out");
+  write_file_atomically(path_, picture);
+}
+
+}  // namespace ramify

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "ramify/report/plot.hpp"
+
+namespace ramify {
+
+/// A file for one plot, SVG or PNG as its name ends: what `--plot` takes.
+class PictureFile {
+ public:
+  /// Throws Error for a name with another ending.
+  explicit PictureFile(std::filesystem::path path);
+
+  /// Has gnuplot draw the plot, 1000 by 640; the file is written whole or not at all. Throws Error where
+  /// there is nothing to draw, where gnuplot is not installed or fails, and where the file cannot be written.
+  void draw(const Plot& plot) const;
+
+ private:
+  std::filesystem::path path_;
+  std::string format_;  ///< "svg", "png"
+};
+
+}  // namespace ramify

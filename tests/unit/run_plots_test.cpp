@@ -1,0 +1,117 @@
+// Which plots a run has, and what is drawn in them, on made-up cells.
+#include "ramify/run/run_plots.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "ramify/config/run_config.hpp"
+
+namespace ramify {
+namespace {
+
+RunConfig config_of(const std::string& models, const std::string& statistics) {
+  return parse_run_config(
+      "models = [" + models + "]\nstatistics = [" + statistics + "]\nn = [100, 10000]\nreplicates = 50\n",
+      "c.toml");
+}
+
+CheckedCell cell_of(std::size_t number, const std::string& model, Size n, const StatisticInfo& statistic,
+                    double mean) {
+  ColumnSummary summary{statistic};
+  summary.mean = mean;
+  summary.standard_error = 0.5;
+  summary.variance = 4;
+  return {number, {model, n, 50, {summary}, {}}, {std::nullopt}};
+}
+
+/// Heights of two models, each with its exact curve at a third size.
+CheckedRun heights(double small, double large) {
+  return {{cell_of(1, "bst", 100, statistic::height, small), cell_of(2, "bst", 10000, statistic::height, 30),
+           cell_of(3, "catalan", 100, statistic::height, 31),
+           cell_of(4, "catalan", 10000, statistic::height, large)},
+          {{"bst", statistic::height, {{100, {14, 4}}, {1000, {23, 5}}, {10000, {32, 6}}}}}};
+}
+
+const Plot* find_plot(const std::vector<std::pair<std::string, Plot>>& plots, const std::string& stem) {
+  for (const auto& [name, plot] : plots)
+    if (name == stem) return &plot;
+  return nullptr;
+}
+
+std::vector<std::pair<std::string, Plot>> plots_of(const CheckedRun& run, const ModelLooks& first = {}) {
+  const RunConfig config = config_of("\"bst\", \"catalan\"", "\"height\"");
+  ModelLooks looks = first;
+  looks.add(config);
+  return run_plots(run, make_plan(config), looks);
+}
+
+TEST(RunPlots, AModelIsOneSeriesOfPointsWithItsExactCurve) {
+  const auto plots = plots_of(heights(14, 90));
+  const Plot* plot = find_plot(plots, "height");
+  ASSERT_NE(plot, nullptr);
+  EXPECT_EQ(plot->title, "Longest root-to-leaf path (height)");
+  EXPECT_EQ(plot->subtitle,
+            "nodes on the path, root and external node counted; points: sampled means, two standard errors; "
+            "curves: exact");
+  ASSERT_EQ(plot->series.size(), 2u);
+  EXPECT_EQ(plot->series[0].label, "bst");
+  EXPECT_EQ(plot->series[0].points.size(), 2u);
+  EXPECT_EQ(plot->series[0].points[0].error, 1);
+  ASSERT_EQ(plot->series[0].curve.size(), 3u);
+  EXPECT_EQ(plot->series[0].curve[1].y, 23);
+  EXPECT_TRUE(plot->series[1].curve.empty());
+  EXPECT_FALSE(plot->log_y);
+}
+
+TEST(RunPlots, TheVarianceHasAPlotOfItsOwn) {
+  const auto plots = plots_of(heights(14, 90));
+  const Plot* plot = find_plot(plots, "height_variance");
+  ASSERT_NE(plot, nullptr);
+  EXPECT_EQ(plot->series[0].points[0].y, 4);
+  EXPECT_EQ(plot->series[0].curve[2].y, 6);
+}
+
+TEST(RunPlots, ValuesThatDifferByDecadesLieOnALogarithmicAxis) {
+  EXPECT_FALSE(find_plot(plots_of(heights(14, 1399)), "height")->log_y);
+  EXPECT_TRUE(find_plot(plots_of(heights(14, 1400)), "height")->log_y);
+  const auto plots = plots_of(heights(0, 3500));
+  EXPECT_TRUE(find_plot(plots, "height")->log_y);
+  EXPECT_TRUE(find_plot(plots, "height")->subtitle.ends_with("values of 0 are not shown"));
+}
+
+TEST(RunPlots, OneSizeIsNoPlot) {
+  CheckedRun run = heights(14, 90);
+  run.cells = {run.cells[0], run.cells[2]};
+  EXPECT_TRUE(plots_of(run).empty());
+}
+
+TEST(RunPlots, AModelKeepsItsLookFromConfigToConfig) {
+  ModelLooks looks;
+  looks.add(config_of("\"beta(2,2)\", \"catalan\"", "\"height\""));
+  const auto plots = plots_of(heights(14, 90), looks);
+  const Plot* plot = find_plot(plots, "height");
+  EXPECT_EQ(plot->series[0].look, 2u);  // bst, the third model of the command
+  EXPECT_EQ(plot->series[1].look, 1u);
+}
+
+TEST(RunPlots, RatiosOfMeanCountsLieOverTheRatiosOfExactMeans) {
+  const RunConfig config = config_of("\"bst\"", "\"streams\"");
+  ModelLooks looks;
+  looks.add(config);
+  CheckedRun run{{{1, {"bst", 100, 50, {}, {{}, {}}}, {}}, {2, {"bst", 10000, 50, {}, {{}, {}}}, {}}},
+                 {{"bst", {statistic::streams, {0}}, {{100, {101, 0}}, {10000, {10001, 0}}}},
+                  {"bst", {statistic::streams, {1}}, {{100, {33.5, 1}}, {10000, {3333.5, 1}}}}}};
+  for (CheckedCell& cell : run.cells) cell.result.orders[0].streams_pooled_ratio = {3.01, 0.02};
+  const auto plots = run_plots(run, make_plan(config), looks);
+  const Plot* plot = find_plot(plots, "streams_ratio_1");
+  ASSERT_NE(plot, nullptr);
+  EXPECT_EQ(plot->title, "Mean number of streams of order 0 over that of order 1");
+  EXPECT_TRUE(plot->subtitle.starts_with("leaf order 0; "));
+  EXPECT_DOUBLE_EQ(plot->series[0].points[1].y, 3.01);
+  EXPECT_DOUBLE_EQ(plot->series[0].points[1].error, 0.04);
+  EXPECT_DOUBLE_EQ(plot->series[0].curve[0].y, 101 / 33.5);
+}
+
+}  // namespace
+}  // namespace ramify
