@@ -8,13 +8,14 @@
 
 #include "ramify/config/size_list.hpp"
 #include "ramify/core/physical_memory.hpp"
+#include "ramify/tabulate/law_plot.hpp"
 #include "ramify/tabulate/law_table.hpp"
 
 namespace ramify::cli {
 namespace {
 
 struct LawArguments {
-  std::string model, n, statistic, output;
+  std::string model, n, statistic, output, plot;
   bool moments = false, covariances = false, yes = false, exact = false;
 
   LawQuantity quantity() const {
@@ -28,7 +29,11 @@ ExitCode law(const LawArguments& options, const Cancellation& cancellation) {
                            options.quantity(), read_law_sizes("--n", options.n), options.exact};
   const double seconds = options.yes ? std::numeric_limits<double>::infinity() : long_law_seconds;
   require_computable(request, {physical_memory(), seconds});
-  emit(law_table(request, cancellation), options.output);
+  const auto picture = picture_file(options.plot);
+  if (picture) require_drawable(request);
+  const Table table = law_table(request, cancellation);
+  if (picture) picture->draw(law_plot(request, table));
+  emit(table, options.output);
   return ExitCode::done;
 }
 
@@ -55,6 +60,7 @@ void add_law(Program& program) {
             "than a second");
   verb.flag("--yes", options->yes, "allow more than an hour");
   verb.option("-o,--output", options->output, "write the table to this file, in one step");
+  verb.option("--plot", options->plot, "draw the law into this file, FILE.svg or FILE.png");
   verb.example("Example: ramify law --model \"patricia(1/4.35)\" --n 579 --statistic strahler");
   verb.work([options](const Cancellation& cancellation) { return law(*options, cancellation); });
 }

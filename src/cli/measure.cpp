@@ -4,6 +4,7 @@
 #include "verbs.hpp"
 #include <fmt/format.h>
 
+#include "ramify/measure/horton_plot.hpp"
 #include "ramify/measure/measure_files.hpp"
 #include "ramify/text/read_count.hpp"
 
@@ -12,7 +13,7 @@ namespace {
 
 struct MeasureArguments {
   std::vector<std::string> files;
-  std::string format = "auto", leaf_order = "1", root, scale = "0", resolve, output = "orders", out;
+  std::string format = "auto", leaf_order = "1", root, scale = "0", resolve, output = "orders", out, plot;
   bool keep_unary = false;
 };
 
@@ -38,7 +39,15 @@ MeasureRequest request_of(const MeasureArguments& options) {
 
 ExitCode measure(const MeasureArguments& options, const Cancellation& cancellation) {
   const auto warn = [](const std::string& warning) { fmt::print(stderr, "ramify: warning: {}\n", warning); };
-  emit(measure_files(request_of(options), cancellation, warn), options.out);
+  const MeasureRequest request = request_of(options);
+  const auto picture = picture_file(options.plot);
+  if (picture &&
+      (request.output == MeasureRequest::Output::nodes || request.output == MeasureRequest::Output::levels))
+    throw Error(fmt::format("--plot with the table {}", options.output), "a Horton diagram is of orders",
+                "take orders or summary");
+  const MeasuredFiles measured = measure_files(request, cancellation, warn);
+  if (picture) picture->draw(horton_plot(measured.orders, request.leaf_order));
+  emit(measured.text, options.out);
   return ExitCode::done;
 }
 
@@ -66,6 +75,9 @@ void add_measure(Program& program) {
               "depth), nodes (a row a node) or json",
               Need::defaulted);
   verb.option("-o,--out", options->out, "write the table to this file, in one step");
+  verb.option(
+      "--plot", options->plot,
+      "draw the Horton diagram, streams, lengths and radii by order, into this file, FILE.svg or FILE.png");
   verb.example("Example: ramify measure data/examples/sapling.newick");
   verb.work([options](const Cancellation& cancellation) { return measure(*options, cancellation); });
 }

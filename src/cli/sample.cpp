@@ -14,6 +14,7 @@
 #include "ramify/format/write_trees.hpp"
 #include "ramify/model/preset.hpp"
 #include "ramify/sample/graft_rule.hpp"
+#include "ramify/tabulate/sample_plot.hpp"
 #include "ramify/tabulate/tree_batch.hpp"
 #include "ramify/text/read_count.hpp"
 
@@ -22,7 +23,7 @@ namespace {
 
 struct SampleArguments {
   std::string preset, model, n, seed = "1996", replicates = "1", replicate, statistics = "strahler,height",
-                                format = "csv", threads, output;
+                                format = "csv", threads, output, plot;
   bool no_graft = false, yes = false;
 };
 
@@ -78,14 +79,21 @@ ExitCode sample(const SampleArguments& options, const Cancellation& cancellation
   const Range range = read_range(options);
   const TreeBatch batch{model, n, read_count("--seed", options.seed), read_threads(options.threads),
                         !options.no_graft};
+  const auto picture = picture_file(options.plot);
   const double trees = static_cast<double>(range.last - range.first);
   if (options.format == "csv") {
     const auto statistics = StatisticSet::parse(split_list(options.statistics));
     require_consent(trees * GraftRule(model, sampling_method(statistics, batch.graft)).grown_nodes(n),
                     options.yes);
-    emit(batch.table(statistics, range.first, range.last, cancellation), options.output);
+    if (picture) require_histogram(statistics);
+    const Table table = batch.table(statistics, range.first, range.last, cancellation);
+    if (picture) picture->draw(sample_plot(batch, *statistics.chosen().front(), table));
+    emit(table, options.output);
   } else {
     const TreeFormat format = tree_format(options.format);
+    if (picture)
+      throw Error(fmt::format("--plot with --format {}", options.format), "a histogram is of a statistic",
+                  "leave one of them out; ramify draw shows a tree");
     require_consent(trees * static_cast<double>(n), options.yes);
     emit(batch.trees(format, range.first, range.last, cancellation), options.output);
   }
@@ -114,6 +122,8 @@ void add_sample(Program& program) {
             "grow every node, instead of drawing subtrees from their exact laws where that pays");
   verb.flag("--yes", options->yes, "allow more than 10^13 nodes");
   verb.option("-o,--output", options->output, "write to this file, in one step");
+  verb.option("--plot", options->plot,
+              "draw the histogram of one statistic into this file, FILE.svg or FILE.png");
   verb.example(
       "Example: ramify sample --model \"patricia(1/4.35)\" --n 579 --replicates 3 --statistics "
       "strahler,streams");

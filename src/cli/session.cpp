@@ -55,6 +55,11 @@ void emit(const Table& table, const std::string& output_file) {
   emit(write_csv(table), output_file);
 }
 
+std::optional<PictureFile> picture_file(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  return PictureFile(text);
+}
+
 void require_consent(double nodes, bool yes) {
   if (nodes <= large_work || yes) return;
   throw Error(fmt::format("{:.3g} nodes to grow", nodes), "more than 10^13 takes days",

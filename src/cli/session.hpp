@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "ramify/core/cancellation.hpp"
 #include "ramify/core/error.hpp"
 #include "ramify/io/table.hpp"
+#include "ramify/report/picture_file.hpp"
 #include "ramify/tree/grammar.hpp"
 
 namespace ramify::cli {
@@ -23,6 +25,9 @@ unsigned read_threads(const std::string& text);
 void emit(const std::string& text, const std::string& output_file);
 /// The same of a table, as CSV.
 void emit(const Table& table, const std::string& output_file);
+
+/// The file of --plot; nothing where the option was not given. Throws Error for a name that is no picture's.
+std::optional<PictureFile> picture_file(const std::string& text);
 
 /// Refuses more than 10^13 nodes unless --yes was given.
 void require_consent(double nodes, bool yes);

@@ -1,7 +1,9 @@
 #include "ramify/io/table.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -32,10 +34,22 @@ struct ToText {
   }
 };
 
+struct ToNumber {
+  double operator()(std::monostate) const { return std::numeric_limits<double>::quiet_NaN(); }
+  double operator()(const std::string&) const { return std::numeric_limits<double>::quiet_NaN(); }
+  double operator()(std::int64_t value) const { return static_cast<double>(value); }
+  double operator()(std::uint64_t value) const { return static_cast<double>(value); }
+  double operator()(const Real& real) const { return real.value; }
+};
+
 }  // namespace
 
 std::string to_text(const Field& field) {
   return std::visit(ToText(), field);
+}
+
+double to_number(const Field& field) {
+  return std::visit(ToNumber(), field);
 }
 
 Row& Row::nothing() {
@@ -79,6 +93,12 @@ void Table::add(Row row) {
 
 std::span<const Field> Table::row(std::size_t index) const {
   return std::span(fields_).subspan(index * columns_.size(), columns_.size());
+}
+
+const Field& Table::at(std::size_t row, std::string_view column) const {
+  const auto place = std::ranges::find(columns_, column);
+  RAMIFY_EXPECTS(place != columns_.end());
+  return fields_[row * columns_.size() + static_cast<std::size_t>(place - columns_.begin())];
 }
 
 }  // namespace ramify

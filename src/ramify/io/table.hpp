@@ -30,6 +30,9 @@ using Field = std::variant<std::monostate, std::string, std::int64_t, std::uint6
 /// The field as CSV and aligned text show it; empty for nothing and for NaN.
 std::string to_text(const Field& field);
 
+/// The field as a number; NaN for nothing and for a text.
+double to_number(const Field& field);
+
 inline bool is_number(const Field& field) {
   return !std::holds_alternative<std::monostate>(field) && !std::holds_alternative<std::string>(field);
 }
@@ -72,6 +75,9 @@ class Table {
   const std::vector<std::string>& columns() const { return columns_; }
   std::size_t rows() const { return fields_.size() / columns_.size(); }
   std::span<const Field> row(std::size_t index) const;
+  /// @param column  a name; the table has it
+  const Field& at(std::size_t row, std::string_view column) const;
+  double number(std::size_t row, std::string_view column) const { return to_number(at(row, column)); }
 
  private:
   std::vector<std::string> columns_;

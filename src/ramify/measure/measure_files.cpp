@@ -81,6 +81,12 @@ class Measured {
     }
   }
 
+  std::vector<MeasuredOrders> orders() const {
+    std::vector<MeasuredOrders> orders = orders_;
+    for (const TreeMeasurement& tree : all_) orders.push_back(tree.orders);
+    return orders;
+  }
+
   std::string text() const {
     switch (request_.output) {
       case Output::orders:
@@ -118,8 +124,8 @@ MeasureRequest::Output parse_measure_output(const std::string& name) {
               fmt::format("{}take {}", did_you_mean(name, names), fmt::join(names, ", ")));
 }
 
-std::string measure_files(const MeasureRequest& request, const Cancellation& cancellation,
-                          const std::function<void(const std::string&)>& warn) {
+MeasuredFiles measure_files(const MeasureRequest& request, const Cancellation& cancellation,
+                            const std::function<void(const std::string&)>& warn) {
   Measured measured(request);
   for (const auto& file : request.files) {
     const std::string text = read_tree_file(file);
@@ -147,7 +153,7 @@ std::string measure_files(const MeasureRequest& request, const Cancellation& can
     }
     if (request.output == Output::norms && wide.count > 0) warn(wide.said(file, trees.size()));
   }
-  return measured.text();
+  return {measured.text(), measured.orders()};
 }
 
 }  // namespace ramify

@@ -7,6 +7,7 @@
 
 #include "ramify/core/cancellation.hpp"
 #include "ramify/format/read_trees.hpp"
+#include "ramify/measure/tree_measurement.hpp"
 #include "ramify/tree/resolve_forks.hpp"
 
 namespace ramify {
@@ -25,13 +26,19 @@ struct MeasureRequest {
   Output output = Output::orders;
 };
 
+/// What the files hold.
+struct MeasuredFiles {
+  std::string text;                    ///< the table, or the JSON
+  std::vector<MeasuredOrders> orders;  ///< of every tree and table of counts; empty for nodes and levels
+};
+
 /// The output of that name; throws Error for another (nearest names given).
 MeasureRequest::Output parse_measure_output(const std::string& name);
 
-/// Reads the files and returns the table, or the JSON, of all that they hold. Throws Error for a file that
+/// Reads the files and measures all that they hold. Throws Error for a file that
 /// cannot be read and for nodes or levels of a table of counts, Interrupted when cancelled.
 /// @param warn  is told what is not read of a file, and what is doubtful in it, in one line each
-std::string measure_files(const MeasureRequest& request, const Cancellation& cancellation,
-                          const std::function<void(const std::string&)>& warn);
+MeasuredFiles measure_files(const MeasureRequest& request, const Cancellation& cancellation,
+                            const std::function<void(const std::string&)>& warn);
 
 }  // namespace ramify
