@@ -52,8 +52,8 @@ Table TreeBatch::table(const StatisticSet& statistics, std::uint64_t first, std:
   return table;
 }
 
-std::string TreeBatch::trees(TreeFormat format, std::uint64_t first, std::uint64_t last,
-                             const Cancellation& cancellation) const {
+std::vector<RecordedTree> TreeBatch::grown(std::uint64_t first, std::uint64_t last,
+                                           const Cancellation& cancellation) const {
   const StreamKey key{seed, model.stream_cell(n)};
   std::vector<RecordedTree> trees(last - first);
   const auto grow_each = [&](auto grow) {
@@ -75,7 +75,12 @@ std::string TreeBatch::trees(TreeFormat format, std::uint64_t first, std::uint64
   } else {
     grow_each([&](Stream& stream) { return model.grown().grow(n, stream, cancellation); });
   }
-  return write_trees(trees, format);
+  return trees;
+}
+
+std::string TreeBatch::trees(TreeFormat format, std::uint64_t first, std::uint64_t last,
+                             const Cancellation& cancellation) const {
+  return write_trees(grown(first, last, cancellation), format);
 }
 
 }  // namespace ramify

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "ramify/core/cancellation.hpp"
 #include "ramify/format/tree_format.hpp"
 #include "ramify/io/table.hpp"
 #include "ramify/model/registry.hpp"
 #include "ramify/statistic/registry.hpp"
+#include "ramify/tree/recorded_tree.hpp"
 
 namespace ramify {
 
@@ -25,7 +27,11 @@ struct TreeBatch {
   Table table(const StatisticSet& statistics, std::uint64_t first, std::uint64_t last,
               const Cancellation& cancellation) const;
 
-  /// The trees themselves: those of the table without grafts.
+  /// The trees themselves: those of the table without grafts, each with a name that says which it is.
+  std::vector<RecordedTree> grown(std::uint64_t first, std::uint64_t last,
+                                  const Cancellation& cancellation) const;
+
+  /// The same as a text.
   /// @param format  one of written_formats()
   std::string trees(TreeFormat format, std::uint64_t first, std::uint64_t last,
                     const Cancellation& cancellation) const;
