@@ -86,9 +86,7 @@ PlotSeries residual(const std::string& label, double constant, const ModelCells&
 std::vector<NamedPlot> plot_bst_order(const std::vector<ModelCells>& models) {
   const ModelCells& bst = models.front();
   Plot plot{"Horton-Strahler number of random binary search trees",
-            "mean minus the law through the first point: level where the law holds; points: sampled, two "
-            "standard errors; "
-            "curves: exact",
+            "mean minus the law through the first point: level where it holds; points: sampled; curves: exact",
             "n (internal nodes)",
             "mean S_n (leaf order 0) minus law",
             true,
