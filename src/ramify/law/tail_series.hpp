@@ -20,7 +20,7 @@ class TailSeries {
   double operator[](Size n) const { return n < first_ ? 0 : values_[n - first_]; }
 
  private:
-  friend double over_either_child(const SplitRow&, const TailSeries&);
+  friend double over_either_child(const SplitRow& row, const TailSeries& event);
 
   Size first_ = 0;   ///< the smallest size at which it is not 0
   Size likely_ = 0;  ///< no size below reaches 2^-54

@@ -21,8 +21,8 @@ struct CsvField {
 /// A table read from RFC 4180 text: a header, then rows of the same length, every field with its place in the
 /// file.
 ///
-/// Accepted beside the RFC: a byte order mark, \n or \r\n, lines that begin with # before the header, empty
-/// lines, no newline at the end. Rows are numbered from 0.
+/// Accepted beside the RFC: a byte order mark, `\n` or `\r\n`, lines that begin with # before the header,
+/// empty lines, no newline at the end. Rows are numbered from 0.
 class CsvData {
  public:
   /// Throws Error with file:line:column for a missing header, a column named twice, a row of another length

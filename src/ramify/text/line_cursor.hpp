@@ -6,7 +6,7 @@
 
 namespace ramify {
 
-/// Goes through a text line by line; lines end in \n, \r\n or \r, and the last one need not.
+/// Goes through a text line by line; lines end in `\n`, `\r\n` or `\r`, and the last one need not.
 class LineCursor {
  public:
   explicit LineCursor(std::string_view text) : text_(text) {}

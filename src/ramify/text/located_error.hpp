@@ -7,7 +7,7 @@
 
 namespace ramify {
 
-/// A text without line ends and other marks of control, which are written \x0a: a message is one line,
+/// A text without line ends and other marks of control, which are written `\x0a`: a message is one line,
 /// whatever the file holds.
 std::string one_line(std::string_view text);
 

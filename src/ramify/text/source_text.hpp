@@ -18,7 +18,8 @@ class SourceText {
   std::string_view text() const { return text_; }
   std::string_view name() const { return name_; }
 
-  /// Line and column of a byte: lines end in \n, \r\n or \r; columns count characters of UTF-8. O(offset).
+  /// Line and column of a byte: lines end in `\n`, `\r\n` or `\r`; columns count characters of UTF-8.
+  /// O(offset).
   SourceLocation at(std::size_t offset) const;
 
   /// The offset of a part of the text.

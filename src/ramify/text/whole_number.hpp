@@ -12,7 +12,7 @@ namespace ramify {
 /// these ways. Nothing where the field is no whole number, or one of more than 40 digits.
 std::optional<std::string> whole_number(std::string_view field);
 
-/// What programs write where they have no value: nothing, NA, <NA>, N/A, NaN, none, null, nil, in any case.
+/// What programs write where they have no value: nothing, NA, `<NA>`, N/A, NaN, none, null, nil, in any case.
 bool is_missing(std::string_view field);
 
 /// Ids as they are compared: whole numbers by value, any other text as it is.
