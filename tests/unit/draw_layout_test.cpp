@@ -113,6 +113,7 @@ TEST(NodeLink, ALengthThatIsNoneIsRefused) {
   EXPECT_EQ(
       test::error_of([&] { node_link_diagram(recorded({0, unknown, 1, 1, 1}), {}); }),
       "small: node 2 (oak) has the length nan (a branch is drawn to scale, or none is): add --same-lengths");
+  EXPECT_NE(test::error_of([&] { node_link_diagram(recorded({1e308, 1e308, 1, 1, 1}), {}); }), "");
   EXPECT_EQ(test::error_of([&] { node_link_diagram(recorded({unknown, 1, 1, 1, 1}), {}); }), "");
   EXPECT_EQ(
       test::error_of([&] { node_link_diagram(recorded({0, unknown, 1, 1, 1}), {.same_lengths = true}); }),

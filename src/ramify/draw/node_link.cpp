@@ -57,6 +57,9 @@ class Diagram {
         orders_(strahler_orders(tree.tree)),
         tips_(layout_.width + 1),
         pens_(orders_[0], std::clamp(300 / tips_, 0.3, 1.2)) {
+    if (!std::isfinite(layout_.length))
+      throw Error(fmt::format("{}: the lengths from root to tip", tree.name),
+                  "their sum is no number any more", "add --same-lengths");
     const bool is_named = tips_ <= most_named_tips && !tree.names.empty();
     for (std::size_t node = 0; is_named && node < tree.tree.node_count(); ++node)
       if (is_tip(node)) longest_name_ = std::max(longest_name_, letters(label_text(tree.names[node])));
@@ -128,8 +131,9 @@ class Diagram {
     page_.labels.push_back({{margin, margin + 34}, key, key_size});
     double x = margin + static_cast<double>(key.size()) * key_size * letter;
     for (std::size_t order = 0; order <= orders_[0]; ++order, x += 48) {
-      page_.strokes.push_back(
-          {pens_.color(order), pens_.width(order), {{{x, margin + 34}, {x + 14, margin + 34}}}});
+      page_.strokes.push_back({pens_.color(order),
+                               std::max(1.5, pens_.width(order)),
+                               {{{x, margin + 34}, {x + 14, margin + 34}}}});
       page_.labels.push_back({{x + 23, margin + 34}, fmt::format("{}", order + style_.leaf_order), key_size});
     }
     page_.width = std::max(page_.width, x + margin);

@@ -20,7 +20,7 @@ inline constexpr std::size_t highest_drawn_order = 2;
 /// (large/finite_means.hpp). The laws of one model are computed once, models on up to `threads` threads; the
 /// outcome does not depend on that. The laws give the curves too, from the smallest to the largest size of a
 /// model, of every statistic of one column and of the counts to highest_drawn_order.
-CheckedRun check_against_exact_laws(const Plan& plan, std::vector<FinishedCell> cells, unsigned threads);
+CheckedRun check_against_exact_laws(const Plan& plan, std::vector<FinishedCell> finished, unsigned threads);
 
 /// The same without any check: what a stopped run has time for.
 std::vector<CheckedCell> unchecked(std::vector<FinishedCell> cells);
