@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "ramify/config/run_config.hpp"
+#include "ramify/run/exact_check.hpp"
 
 namespace ramify {
 namespace {
@@ -93,6 +94,43 @@ TEST(RunPlots, AModelKeepsItsLookFromConfigToConfig) {
   const Plot* plot = find_plot(plots, "height");
   EXPECT_EQ(plot->series[0].look, 2u);  // bst, the third model of the command
   EXPECT_EQ(plot->series[1].look, 1u);
+}
+
+/// The run of cells without trees, held against the laws of their models.
+CheckedRun checked(const std::string& models, const std::string& sizes, const StatisticInfo& statistic) {
+  const Plan plan =
+      make_plan(parse_run_config("models = [" + models + "]\nstatistics = [\"" + std::string(statistic.name) +
+                                     "\"]\nn = [" + sizes + "]\nreplicates = 5\n",
+                                 "c.toml"));
+  std::vector<FinishedCell> finished;
+  for (std::size_t i = 0; i < plan.cells.size(); ++i)
+    finished.push_back({i, cell_of(i, plan.cells[i].model.text(), plan.cells[i].n, statistic, 7).result});
+  return check_against_exact_laws(plan, finished, 2);
+}
+
+TEST(ExactCurve, GoesFromTheSmallestToTheLargestSizeThroughTheCheckedMeans) {
+  const CheckedRun run = checked("\"bst\"", "10, 100, 1000", statistic::height);
+  ASSERT_EQ(run.curves.size(), 1u);
+  const ExactCurve& curve = run.curves[0];
+  EXPECT_EQ(curve.model, "bst");
+  EXPECT_GT(curve.points.size(), 80u);
+  EXPECT_EQ(curve.points.front().n, 10);
+  EXPECT_EQ(curve.points.back().n, 1000);
+  EXPECT_EQ(curve.points.front().moments.mean, run.cells[0].checks[0]->exact_mean);
+  EXPECT_EQ(curve.points.back().moments.mean, run.cells[2].checks[0]->exact_mean);
+  for (std::size_t i = 1; i < curve.points.size(); ++i) {
+    EXPECT_LT(curve.points[i - 1].n, curve.points[i].n);
+    EXPECT_LE(curve.points[i - 1].moments.mean, curve.points[i].moments.mean);
+  }
+}
+
+TEST(ExactCurve, IsMissingWhereNoLawReachesAndForOneSize) {
+  EXPECT_TRUE(checked("\"bst\"", "10", statistic::height).curves.empty());
+  EXPECT_TRUE(checked("\"bst\"", "10, 100", statistic::width).curves.empty());
+  const CheckedRun run = checked("\"split(0.25)\"", "100, 1_000_000", statistic::strahler);
+  ASSERT_EQ(run.curves.size(), 1u);
+  EXPECT_FALSE(std::isnan(run.curves[0].points.front().moments.mean));
+  EXPECT_TRUE(std::isnan(run.curves[0].points.back().moments.mean));
 }
 
 TEST(RunPlots, RatiosOfMeanCountsLieOverTheRatiosOfExactMeans) {

@@ -10,11 +10,9 @@
 namespace ramify {
 namespace {
 
+/// As far as exact laws reach where a size lies beyond: the sizes between are asked for too.
 Size largest_exact(const Model& model, const std::vector<Size>& sizes) {
-  Size largest = 0;
-  for (const Size n : sizes)
-    if (n <= law_limit(model)) largest = std::max(largest, n);
-  return largest;
+  return sizes.empty() ? 0 : std::min(*std::ranges::max_element(sizes), law_limit(model));
 }
 
 std::vector<double> beyond(const Model& model, const std::vector<Size>& sizes) {

@@ -36,9 +36,9 @@ class FiniteMeans {
   static FiniteMeansCost cost(const Model& model, const std::vector<Size>& sizes,
                               const StatisticSet& statistics);
 
-  /// Nothing where n lies above the given sizes, or between the exact and the larger ones of them, where the
-  /// statistic has no law, where the model has none beyond law_limit, or where it would take longer than
-  /// longest_seconds. The variance is NaN where only the mean is known, as of counts beyond law_limit.
+  /// Nothing where n lies above the given sizes, or between the exact laws and the first size of the grid,
+  /// where the statistic has no law, where the model has none beyond law_limit, or where it would take longer
+  /// than longest_seconds. The variance is NaN where only the mean is known, as of counts beyond law_limit.
   std::optional<Moments> moments(const StatisticColumn& column, Size n) const;
 
  private:

@@ -8,7 +8,6 @@
 
 #include "ramify/core/parallel.hpp"
 #include "ramify/large/finite_means.hpp"
-#include "ramify/law/law_limit.hpp"
 
 namespace ramify {
 namespace {
@@ -97,8 +96,6 @@ CheckedRun check_against_exact_laws(const Plan& plan, std::vector<FinishedCell> 
     if (!model.is_split()) return;
     std::vector<Size> sizes;
     for (const CheckedCell* cell : members) sizes.push_back(cell->result.n);
-    // So that curves have no gap between the exact laws and those on a grid.
-    if (std::ranges::max(sizes) > law_limit(model)) sizes.push_back(law_limit(model));
     const FiniteMeans laws(model, sizes);
     for (CheckedCell* cell : members)
       for (std::size_t c = 0; c < cell->checks.size(); ++c)
