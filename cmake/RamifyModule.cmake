@@ -2,12 +2,13 @@
 # docs/design.md: a module can include only what it links (tests/headers checks it).
 #   ramify_module(tree SOURCES a.cpp b.cpp LINKS ramify::random PRIVATE_LINKS fmt::fmt)
 # APART: every source by itself even in a unity build, for those whose templates take longer than their headers.
+# UNHURRIED: what takes no time that anybody measures (ramify_unhurried).
 
 # Private links that leave nothing to link: users of an installed ramify need not have them.
 set(RAMIFY_HEADER_ONLY Boost::headers Eigen3::Eigen nlohmann_json::nlohmann_json)
 
 function(ramify_module name)
-  cmake_parse_arguments(ARG "APART" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
+  cmake_parse_arguments(ARG "APART;UNHURRIED" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
   set(target ramify_${name})
   set(private_links)
   foreach(link IN LISTS ARG_PRIVATE_LINKS)
@@ -24,7 +25,7 @@ function(ramify_module name)
       ramify_together(${target})
     endif()
     target_link_libraries(${target} PUBLIC ramify_language ${ARG_LINKS}
-      PRIVATE $<BUILD_INTERFACE:ramify_warnings> ${private_links})
+      PRIVATE $<BUILD_INTERFACE:ramify_warnings> $<$<BOOL:${ARG_UNHURRIED}>:$<BUILD_INTERFACE:ramify_unhurried>> ${private_links})
   else()
     add_library(${target} INTERFACE)
     target_include_directories(${target} INTERFACE
