@@ -10,9 +10,20 @@
 namespace ramify {
 namespace {
 
-/// As far as exact laws reach where a size lies beyond: the sizes between are asked for too.
+/// The largest size that has an exact law.
+Size largest_given(const Model& model, const std::vector<Size>& sizes) {
+  Size largest = 0;
+  for (const Size n : sizes)
+    if (n <= law_limit(model)) largest = std::max(largest, n);
+  return largest;
+}
+
+/// The same; where others lie beyond, as far as the grid at least, which goes
+/// on from there: sizes between the given ones are asked for too.
 Size largest_exact(const Model& model, const std::vector<Size>& sizes) {
-  return sizes.empty() ? 0 : std::min(*std::ranges::max_element(sizes), law_limit(model));
+  const Size given = largest_given(model, sizes), limit = law_limit(model);
+  const bool others_lie_beyond = std::ranges::any_of(sizes, [limit](Size n) { return n > limit; });
+  return others_lie_beyond ? std::max(given, std::min(limit, large_law_table(model))) : given;
 }
 
 std::vector<double> beyond(const Model& model, const std::vector<Size>& sizes) {
@@ -60,11 +71,13 @@ FiniteMeansCost FiniteMeans::cost(const Model& model, const std::vector<Size>& s
 }
 
 FiniteMeans::FiniteMeans(const Model& model, const std::vector<Size>& sizes)
-    : model_(model), large_sizes_(beyond(model, sizes)), exact_(model, largest_exact(model, sizes)) {}
+    : model_(model),
+      large_sizes_(beyond(model, sizes)),
+      exact_(model, largest_exact(model, sizes), largest_given(model, sizes)) {}
 
 std::optional<Moments> FiniteMeans::moments(const StatisticColumn& column, Size n) const {
   if (n <= exact_.largest_n()) return exact_.moments(column, n);
-  if (large_sizes_.empty() || beyond(model_, {n}).empty() || static_cast<double>(n) > large_sizes_.back())
+  if (large_sizes_.empty() || n < large_law_table(model_) || static_cast<double>(n) > large_sizes_.back())
     return std::nullopt;
   const ExactLaw& law = column.statistic->law;
   const auto moments = large_moments(law.recurrence, column.place, n);

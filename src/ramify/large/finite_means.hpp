@@ -21,7 +21,7 @@ struct FiniteMeansCost {
 
 /// The mean and variance of a table's columns at given sizes of any magnitude, and at those between them, for
 /// one split model: exact up to law_limit(model), beyond on a grid (LargeLaw), with errors below what any
-/// sample could tell.
+/// sample could tell; where some of them lie beyond, sizes between are on the grid as soon as there is one.
 ///
 /// Laws are computed when they are first asked for, for all the sizes, and kept. For use by one thread at a
 /// time.
@@ -36,9 +36,10 @@ class FiniteMeans {
   static FiniteMeansCost cost(const Model& model, const std::vector<Size>& sizes,
                               const StatisticSet& statistics);
 
-  /// Nothing where n lies above the given sizes, or between the exact laws and the first size of the grid,
+  /// Nothing where n lies above the given sizes, or between law_limit and the first size of the grid,
   /// where the statistic has no law, where the model has none beyond law_limit, or where it would take longer
-  /// than longest_seconds. The variance is NaN where only the mean is known, as of counts beyond law_limit.
+  /// than longest_seconds. The variance is NaN where only the mean is known, as of counts above the
+  /// largest of the given sizes that has an exact law.
   std::optional<Moments> moments(const StatisticColumn& column, Size n) const;
 
  private:

@@ -7,9 +7,9 @@
 
 namespace ramify {
 
-ExactMeans::ExactMeans(const Model& model, Size largest_n)
+ExactMeans::ExactMeans(const Model& model, Size largest_n, Size largest_n_with_variances)
     : largest_n_(std::min(largest_n, law_limit(model))),
-      largest_n_with_variances_(std::min(largest_n, order_moments_limit(model))),
+      largest_n_with_variances_(std::min({largest_n, largest_n_with_variances, order_moments_limit(model)})),
       rows_(model) {}
 
 /// The law with every size up to n.

@@ -19,7 +19,8 @@ namespace ramify {
 /// time.
 class ExactMeans {
  public:
-  ExactMeans(const Model& model, Size largest_n);
+  /// @param largest_n_with_variances  of counts, which cost the most
+  ExactMeans(const Model& model, Size largest_n, Size largest_n_with_variances = max_size);
   ExactMeans(const ExactMeans&) = delete;  // order_moments_ refers to orders_
   ExactMeans(ExactMeans&&) = delete;
   ExactMeans& operator=(const ExactMeans&) = delete;
@@ -30,7 +31,7 @@ class ExactMeans {
   Size largest_n() const { return largest_n_; }
 
   /// Nothing where n > largest_n() or the statistic has no exact law: ratios, width. Counts of nodes and
-  /// streams have the mean only where n > order_moments_limit(model).
+  /// streams have the mean only where n > order_moments_limit(model), or > largest_n_with_variances.
   std::optional<Moments> moments(const StatisticColumn& column, Size n) const;
 
   /// The whole law of a column. Nothing where n > largest_n() or only moments are known.
