@@ -85,12 +85,13 @@ PlotSeries residual(const std::string& label, double constant, const ModelCells&
 
 std::vector<NamedPlot> plot_bst_order(const std::vector<ModelCells>& models) {
   const ModelCells& bst = models.front();
-  Plot plot{"Horton-Strahler number of random binary search trees",
-            "mean minus the law through the first point: level where it holds; points: sampled; curves: exact",
-            "n (internal nodes)",
-            "mean S_n (leaf order 0) minus law",
-            true,
-            false};
+  Plot plot{
+      "Horton-Strahler number of random binary search trees",
+      "mean minus the law through the first point: level where it holds; points: sampled; curves: exact",
+      "n (internal nodes)",
+      "mean S_n (leaf order 0) minus law",
+      true,
+      false};
   plot.series.push_back(residual("minus log n / log 3: the thesis", log_3_constant, bst));
   plot.series.push_back(residual("minus log n / log 3.0438: Kovchegov and Zaliapin's ratio",
                                  strahler_constant(bst.model).value().value, bst));
