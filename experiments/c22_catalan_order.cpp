@@ -24,15 +24,16 @@ GrowthClaim mean_growth(const Model& catalan) {
 
 /// Bounded variance: its slope on log n is 0. Standard error of a variance from its own spread: v
 /// sqrt(2/trees) is near enough for two or three atoms, where the fourth moment is below three times the
-/// squared variance.
+/// squared variance; as that of a mean it is at least 1/trees.
 Verdict bounded_variance(const ModelCells& catalan) {
   std::vector<SizedMean> variances;
   double largest = 0;
   for (const auto& cell : catalan.cells) {
     const double variance = cell.result.column(statistic::strahler).variance;
     largest = std::max(largest, variance);
-    variances.push_back({static_cast<double>(cell.result.n), variance,
-                         variance * std::sqrt(2 / static_cast<double>(cell.result.replicates))});
+    const double trees = static_cast<double>(cell.result.replicates);
+    variances.push_back(
+        {static_cast<double>(cell.result.n), variance, std::max(variance * std::sqrt(2 / trees), 1 / trees)});
   }
   const Slope slope = fit_slope(variances);
   const Interval interval = sampling_interval(slope.value, slope.standard_error);

@@ -1,6 +1,7 @@
 #include "claim.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <sstream>
 
@@ -38,12 +39,32 @@ void require_sizes(const Claim& claim, const RunConfig& config) {
             fmt::format("it is judged over {} or more", claim.needs.sizes), "add sizes to n");
 }
 
+void require_trees(const Claim& claim, const RunConfig& config) {
+  for (const auto& group : config.groups)
+    for (const Size n : group.sizes)
+      if (const std::uint64_t trees = group.replicates.count(n); trees < claim_trees)
+        throw Error(
+            fmt::format("{}: claim {} with {} replicate(s) at n = {}", config.path, claim.id, trees, n),
+            "the error of a mean is taken from the spread of its trees",
+            fmt::format("take {} or more", claim_trees));
+}
+
 void require_needs(const Claim& claim, const RunConfig& config) {
   if (!config.statistics.contains(*claim.needs.statistic))
     throw Error(fmt::format("{}: claim {} without '{}'", config.path, claim.id, claim.needs.statistic->name),
                 "it is judged by that statistic", "add it to statistics");
   require_models(claim, config);
   require_sizes(claim, config);
+  require_trees(claim, config);
+}
+
+/// "C20" of "c20", "C20.2": parts are decided together.
+std::string whole_claim(std::string id) {
+  std::ranges::transform(id, id.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  const auto point = id.find('.');
+  const bool has_part = point != std::string::npos && point + 1 < id.size() &&
+                        id.find_first_not_of("0123456789", point + 1) == std::string::npos;
+  return has_part ? id.substr(0, point) : id;
 }
 
 }  // namespace
@@ -56,8 +77,11 @@ const std::vector<Claim>& claims() {
 
 std::vector<const Claim*> find_claims(std::string_view ids) {
   std::vector<const Claim*> found;
-  std::istringstream words{std::string(ids)};
-  for (std::string id; words >> id;) found.push_back(&find_named(claims(), &Claim::id, id, "claim"));
+  std::string text(ids);
+  std::ranges::replace(text, ',', ' ');
+  std::istringstream words{text};
+  for (std::string id; words >> id;)
+    found.push_back(&find_named(claims(), &Claim::id, whole_claim(id), "claim"));
   return found;
 }
 

@@ -62,11 +62,16 @@ struct Claim {
 /// All claims, in the order of the catalogue.
 const std::vector<Claim>& claims();
 
-/// The claims that a config's `claim` key names; throws Error for an unknown one (nearest names given).
+/// The claims that a config's `claim` key or --claim names, in either case, a part (C20.2) for its whole;
+/// throws Error for an unknown one (nearest names given).
 std::vector<const Claim*> find_claims(std::string_view ids);
 
+/// Trees of a cell without which no claim is judged: of fewer the spread, and with it every interval, is
+/// known too badly.
+inline constexpr std::uint64_t claim_trees = 10;
+
 /// The claims that a config serves. Throws Error for an unknown one, and where the config lacks what one of
-/// them needs: its statistic, sizes of a model, or no model but those it speaks of.
+/// them needs: its statistic, sizes of a model, trees of every cell, or no model but those it speaks of.
 std::vector<const Claim*> served_claims(const RunConfig& config);
 
 /// Number, statement and source of every claim: `ramify list claims`.

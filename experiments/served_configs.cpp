@@ -12,8 +12,13 @@ namespace ramify {
 namespace fs = std::filesystem;
 
 std::vector<fs::path> config_files(const fs::path& folder) {
+  std::error_code reason;
+  const fs::directory_iterator entries(folder, reason);
+  if (reason)
+    throw Error(fmt::format("no configs in '{}'", folder.string()), reason.message(),
+                "name a folder that has quick/ and full/ with --configs");
   std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(folder))
+  for (const auto& entry : entries)
     if (entry.path().extension() == ".toml") files.push_back(entry.path());
   std::ranges::sort(files);
   return files;

@@ -9,7 +9,7 @@
 
 namespace ramify {
 
-/// The *.toml of a folder, by name.
+/// The *.toml of a folder, by name. Throws Error where it cannot be read.
 std::vector<std::filesystem::path> config_files(const std::filesystem::path& folder);
 
 /// Reads configs, with a seed in place of their own where one is given. Throws Error where a config lacks

@@ -8,7 +8,7 @@ enum class ExitCode : int {
   check_failed = 1,  ///< a verdict changed, or a sampler disagrees with its law
   bad_input = 2,
   no_convergence = 3,  ///< of a fit
-  interrupted = 130
+  closed_pipe = 141,   ///< whoever read the output has gone; interrupted are 130 and 143 (signals.hpp)
 };
 
 }  // namespace ramify::cli

@@ -13,7 +13,8 @@ namespace {
 
 struct FitArguments {
   std::vector<std::string> files;
-  std::string model = "patricia", observable = "ratio", n, seed = "1996", threads, format = "table", output;
+  std::string model = "patricia", observable = "ratio", n, seed = "1996", threads, format = "auto";
+  Output output;
 };
 
 FitOptions fit_options(const FitArguments& options) {
@@ -29,9 +30,9 @@ void require_known(const FitArguments& options) {
   if (options.observable != "ratio")
     throw Error(fmt::format("--observable {}", options.observable),
                 "only the bifurcation ratio is fitted so far", "take ratio");
-  if (options.format != "table" && options.format != "csv")
+  if (options.format != "auto" && options.format != "table" && options.format != "csv")
     throw Error(fmt::format("--format {}", options.format), "not a format that fit writes",
-                "take table or csv");
+                "take table, csv, or auto");
 }
 
 ExitCode fit(const FitArguments& options, const Cancellation& cancellation) {
@@ -45,10 +46,11 @@ ExitCode fit(const FitArguments& options, const Cancellation& cancellation) {
   for (std::size_t i = 0; i < data.size(); ++i) {
     for (const auto& warning : data[i].warnings) fmt::print(stderr, "ramify: warning: {}\n", warning);
     for (auto& row : fitter.fit(data[i])) rows.push_back(std::move(row));
-    if (progress) progress(static_cast<double>(i + 1), static_cast<double>(data.size()));
+    progress(static_cast<double>(i + 1), static_cast<double>(data.size()));
   }
-  clear_progress_line();
-  emit(options.format == "csv" ? write_csv(fit_table(rows)) : fit_text(rows), options.output);
+  const bool read =
+      options.format == "table" || (options.format == "auto" && options.output.is_for_reading());
+  emit(read ? fit_text(rows) : write_csv(fit_table(rows)), options.output);
   return any_not_converged(rows) ? ExitCode::no_convergence : ExitCode::done;
 }
 
@@ -65,8 +67,9 @@ void add_fit(Program& program) {
   verb.option("--seed", options->seed, "seed", Need::defaulted);
   verb.option("--threads", options->threads,
               "threads; all cores if left out. The result does not depend on it");
-  verb.option("--format", options->format, "table or csv", Need::defaulted);
-  verb.option("-o,--output", options->output, "write to this file, in one step");
+  verb.option("--format", options->format,
+              "table (aligned, with notes) or csv; auto: table on a terminal, else csv", Need::defaulted);
+  options->output.add_table_to(verb);
   verb.example("Example: ramify fit data/species.csv");
   verb.work([options](const Cancellation& cancellation) { return fit(*options, cancellation); });
 }

@@ -7,7 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "ramify/config/size_list.hpp"
-#include "ramify/core/physical_memory.hpp"
+#include "ramify/core/memory.hpp"
 #include "ramify/tabulate/law_plot.hpp"
 #include "ramify/tabulate/law_table.hpp"
 
@@ -15,7 +15,8 @@ namespace ramify::cli {
 namespace {
 
 struct LawArguments {
-  std::string model, n, statistic, output, plot;
+  std::string model, n, statistic, plot;
+  Output output;
   bool moments = false, covariances = false, yes = false, exact = false;
 
   LawQuantity quantity() const {
@@ -28,7 +29,7 @@ ExitCode law(const LawArguments& options, const Cancellation& cancellation) {
   const LawRequest request{Model::parse(options.model), LawSubject::parse(options.statistic),
                            options.quantity(), read_law_sizes("--n", options.n), options.exact};
   const double seconds = options.yes ? std::numeric_limits<double>::infinity() : long_law_seconds;
-  require_computable(request, {physical_memory(), seconds});
+  require_computable(request, {usable_memory(), seconds});
   const auto picture = picture_file(options.plot);
   if (picture) require_drawable(request);
   const Table table = law_table(request, cancellation);
@@ -48,7 +49,7 @@ void add_law(Program& program) {
               Need::required);
   verb.option("--n", options->n, "sizes to 1e300: N[,N..], or from:to:count, a geometric grid",
               Need::required);
-  verb.option("--statistic", options->statistic,
+  verb.option("--statistic,--statistics", options->statistic,
               fmt::format("{}: mean nodes and streams by order; with --moments also {}",
                           fmt::join(law_subjects(), ", "), fmt::join(moment_subjects(), ", ")),
               Need::required);
@@ -59,7 +60,7 @@ void add_law(Program& program) {
             "by the recurrence over all sizes, however large; else on a grid of sizes where that takes more "
             "than a second");
   verb.flag("--yes", options->yes, "allow more than an hour");
-  verb.option("-o,--output", options->output, "write the table to this file, in one step");
+  options->output.add_table_to(verb);
   verb.option("--plot", options->plot, "draw the law into this file, FILE.svg or FILE.png");
   verb.example("Example: ramify law --model \"patricia(1/4.35)\" --n 579 --statistic strahler");
   verb.work([options](const Cancellation& cancellation) { return law(*options, cancellation); });

@@ -23,14 +23,15 @@ Table table_of(const std::string& what) {
 
 void add_list(Program& program) {
   struct Options {
-    std::string what, output;
+    std::string what;
+    Output output;
   };
   auto options = std::make_shared<Options>();
   Verb verb = program.verb(
       "list",
       "List the models, statistics, claims, presets, or what is known of which statistic for which model");
   verb.option("what", options->what, "models, statistics, claims, presets or coverage", Need::required);
-  verb.option("-o,--output", options->output, "write the table to this file");
+  options->output.add_table_to(verb);
   verb.example("Example: ramify list models");
   verb.work([options](const Cancellation&) {
     emit(table_of(options->what), options->output);

@@ -1,38 +1,31 @@
-#include <csignal>
 #include <new>
 
 #include "session.hpp"
+#include "signals.hpp"
 #include "verbs.hpp"
 #include <fmt/format.h>
 
 #include "ramify/core/error.hpp"
+#include "ramify/core/memory.hpp"
 
 namespace {
 
 using ramify::cli::ExitCode;
 
-ramify::Cancellation* stop_flag = nullptr;
-
-extern "C" void on_signal(int) {
-  stop_flag->request();
-}
-
-void listen_for_signals(ramify::Cancellation& cancellation) {
-  stop_flag = &cancellation;
-  std::signal(SIGINT, on_signal);
-  std::signal(SIGTERM, on_signal);
-  std::signal(SIGPIPE, SIG_IGN);
-}
-
-int report(const char* message, ExitCode code) {
+int report(std::string_view message, int code) {
   ramify::cli::clear_progress_line();
   fmt::print(stderr, "ramify: {}\n", message);
-  return static_cast<int>(code);
+  return code;
+}
+
+int refuse(std::string_view message) {
+  return report(message, static_cast<int>(ExitCode::bad_input));
 }
 
 int run_program(int argc, char** argv) {
-  ramify::cli::Program program;
-  listen_for_signals(program.cancellation());
+  static ramify::cli::Program program;  // a signal may come as late as the end of the process
+  ramify::cli::listen_for_signals(program.cancellation());
+  ramify::bound_memory();
   ramify::cli::add_verbs(program);
   return program.run(argc, argv);
 }
@@ -43,12 +36,19 @@ int main(int argc, char** argv) {
   try {
     return run_program(argc, argv);
   } catch (const ramify::Interrupted&) {
-    return report("interrupted", ExitCode::interrupted);
+    return report("interrupted", ramify::cli::interrupted_code());
+  } catch (const ramify::cli::ClosedPipe&) {
+    return static_cast<int>(ExitCode::closed_pipe);
   } catch (const ramify::Error& error) {
-    return report(error.what(), ExitCode::bad_input);
+    return refuse(error.what());
   } catch (const std::bad_alloc&) {
-    return report(
-        "out of memory (the tree is deeper, or the table larger, than this machine holds): take a smaller n",
-        ExitCode::bad_input);
+    return refuse(
+        fmt::format("out of memory (more than {}, which is all that this process may use): take a "
+                    "smaller n, fewer replicates or fewer threads",
+                    ramify::in_bytes(ramify::usable_memory())));
+  } catch (const std::exception& error) {
+    // The system's refusal (no more threads, a folder that vanished) or our fault: one line either way.
+    return refuse(
+        fmt::format("{} (this was not foreseen): please report it, with the command", error.what()));
   }
 }

@@ -1,4 +1,5 @@
 #include <memory>
+#include <variant>
 
 #include "session.hpp"
 #include "verbs.hpp"
@@ -13,7 +14,8 @@ namespace {
 
 struct MeasureArguments {
   std::vector<std::string> files;
-  std::string format = "auto", leaf_order = "1", root, scale = "0", resolve, output = "orders", out, plot;
+  std::string format = "auto", leaf_order = "1", root, scale = "0", resolve, table, statistics, plot;
+  Output output;
   bool keep_unary = false;
 };
 
@@ -25,10 +27,28 @@ unsigned small_number(const std::string& option, const std::string& text, std::u
   return static_cast<unsigned>(value);
 }
 
+/// Of --table; --statistics chooses columns of the summary.
+MeasureRequest::Output table_of(const MeasureArguments& options) {
+  using Table = MeasureRequest::Output;
+  if (is_measure_output(options.output.file))
+    throw Error(
+        fmt::format("--output {}", options.output.file),
+        "it names the file that is written, and --table the table",
+        fmt::format("write --table {0}, or --output ./{0} for a file of that name", options.output.file));
+  if (options.table.empty()) return options.statistics.empty() ? Table::orders : Table::summary;
+  const Table table = parse_measure_output(options.table);
+  if (!options.statistics.empty() && table != Table::summary)
+    throw Error(fmt::format("--statistics with --table {}", options.table),
+                "they are the columns of the summary, a row a tree",
+                "take --table summary, or leave one out");
+  return table;
+}
+
 MeasureRequest request_of(const MeasureArguments& options) {
   MeasureRequest request;
   request.files = options.files;
-  request.output = parse_measure_output(options.output);
+  request.output = table_of(options);
+  if (!options.statistics.empty()) request.statistics = StatisticSet::parse(split_list(options.statistics));
   request.format = parse_tree_format(options.format);
   request.leaf_order = small_number("--leaf-order", options.leaf_order, 1);
   request.reading = {options.root, small_number("--scale", options.scale, 1000)};
@@ -43,11 +63,11 @@ ExitCode measure(const MeasureArguments& options, const Cancellation& cancellati
   const auto picture = picture_file(options.plot);
   if (picture &&
       (request.output == MeasureRequest::Output::nodes || request.output == MeasureRequest::Output::levels))
-    throw Error(fmt::format("--plot with the table {}", options.output), "a Horton diagram is of orders",
+    throw Error(fmt::format("--plot with --table {}", options.table), "a Horton diagram is of orders",
                 "take orders or summary");
   const MeasuredFiles measured = measure_files(request, cancellation, warn);
   if (picture) picture->draw(horton_plot(measured.orders, request.leaf_order));
-  emit(measured.text, options.out);
+  std::visit([&](const auto& what) { emit(what, options.output); }, measured.content);
   return ExitCode::done;
 }
 
@@ -70,11 +90,12 @@ void add_measure(Program& program) {
             "count one-child nodes, as in tries, instead of contracting them");
   verb.option("--resolve", options->resolve,
               "make forks of three and more into forks of two: ladder (in their order) or random");
-  verb.option("--output", options->output,
-              "orders, summary (a row a tree), norms (beside Yule and uniform trees), levels (a row a "
-              "depth), nodes (a row a node) or json",
-              Need::defaulted);
-  verb.option("-o,--out", options->out, "write the table to this file, in one step");
+  verb.option("--table", options->table,
+              "orders (if nothing is said), summary (a row a tree), norms (beside Yule and uniform trees), "
+              "levels (a row a depth), nodes (a row a node) or json");
+  verb.option("--statistics,--statistic", options->statistics,
+              "columns of the summary, comma-separated; see: ramify list statistics");
+  options->output.add_table_to(verb);
   verb.option(
       "--plot", options->plot,
       "draw the Horton diagram, streams, lengths and radii by order, into this file, FILE.svg or FILE.png");

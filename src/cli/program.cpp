@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "program_pages.hpp"
+#include "session.hpp"
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
@@ -12,6 +14,8 @@ namespace ramify::cli {
 namespace {
 
 DeclaredOption declared(CLI::Option* option, Need need) {
+  // An empty value is most often a variable of a script that is not set, never meant as "left out".
+  option->check([](const std::string& value) { return std::string(value.empty() ? "is empty" : ""); }, "");
   if (need == Need::defaulted) option->capture_default_str();
   if (need == Need::required) option->required();
   return {option};
@@ -48,7 +52,7 @@ void Verb::work(Work work) {
 Program::Program()
     : app_(std::make_unique<CLI::App>("ramify: a statistical laboratory for random branching structures",
                                       "ramify")) {
-  app_->set_version_flag("--version", std::string("ramify ") + version);
+  app_->set_version_flag("-V,--version", std::string("ramify ") + version);
   app_->require_subcommand(1);
   app_->footer(
       "Example: ramify sample --model bst --n 1000 --replicates 5\nramify VERB --help shows one for every "
@@ -59,6 +63,10 @@ Program::~Program() = default;
 
 Verb Program::verb(const std::string& name, const std::string& description) {
   return {*app_->add_subcommand(name, description), work_};
+}
+
+ProgramPages Program::pages() const {
+  return ProgramPages(*app_);
 }
 
 /// One line for anything the command line got wrong.
@@ -83,7 +91,10 @@ int Program::run(int argc, const char* const* argv) {
     if (error.get_exit_code() == 0) return app_->exit(error);  // --help, --version
     return refuse(error, argc > 1 ? argv[1] : "");
   }
-  return static_cast<int>(work_(cancellation_));
+  show_progress(app_->get_subcommands().front()->get_name());
+  const ExitCode code = work_(cancellation_);
+  clear_progress_line();
+  return static_cast<int>(code);
 }
 
 }  // namespace ramify::cli

@@ -56,6 +56,8 @@ class Verb {
   Work* chosen_;
 };
 
+class ProgramPages;
+
 /// The command line: verbs, and the flag that Ctrl-C sets.
 class Program {
  public:
@@ -67,6 +69,9 @@ class Program {
   ~Program();
 
   Verb verb(const std::string& name, const std::string& description);
+
+  /// Pages about the program, made from what was declared.
+  ProgramPages pages() const;
 
   /// What long work looks at.
   Cancellation& cancellation() { return cancellation_; }

@@ -60,11 +60,13 @@ ExitCode reproduce(const ReproduceArguments& options, const Cancellation& cancel
     print_cost(configs, options.flags);
     return ExitCode::done;
   }
+  require_runnable(configs, options.flags);
   const fs::path out = options.flags.out;
+  require_writable_folder(out / "plots");  // where the verdicts and their plots go in the end
   const Evidence evidence = run_configs(configs, options.flags, cancellation);
   write_verdicts(evidence, out);
   const auto verdicts = evidence.verdicts();
-  emit(verdict_text(verdicts), "");
+  emit(verdict_text(verdicts));
   fmt::print(stderr, "verdicts: {0}/verdicts.csv\nplots:    {0}/plots\ntables:   {0}/<config>/summary.csv\n",
              out.string());
   const ExitCode checks = report_checks(evidence);

@@ -20,9 +20,10 @@ ExitCode run(const RunArguments& options, const Cancellation& cancellation) {
     print_cost(configs, options.flags);
     return ExitCode::done;
   }
+  require_runnable(configs, options.flags);
   const Evidence evidence = run_configs(configs, options.flags, cancellation);
   const auto verdicts = evidence.verdicts();
-  if (!verdicts.empty()) emit(verdict_text(verdicts), "");
+  if (!verdicts.empty()) emit(verdict_text(verdicts));
   for (const auto& config : configs)
     fmt::print(stderr, "tables and plots: {}\n", options.flags.folder_of(config).string());
   return report_checks(evidence);

@@ -14,7 +14,7 @@ namespace {
 void run_config(const RunConfig& config, const RunFlags& flags, const ModelLooks& looks,
                 const Cancellation& cancellation, Evidence& evidence) {
   const auto folder = flags.folder_of(config);
-  const RunOptions options{folder, read_threads(flags.threads), flags.resume,
+  const RunOptions options{folder, read_threads(flags.threads), flags.kept_cells(),
                            progress_line(folder.filename().string()), looks};
   const RunOutcome outcome = run_and_judge(config, options, cancellation, evidence);
   clear_progress_line();
@@ -27,10 +27,12 @@ void run_config(const RunConfig& config, const RunFlags& flags, const ModelLooks
 }  // namespace
 
 void RunFlags::add_to(Verb& verb) {
-  verb.option("--out", out, "folder for the results", Need::defaulted);
+  verb.option("-o,--output,--out", out, "folder for the results", Need::defaulted);
   verb.option("--seed", seed, "use this seed in place of the configs'");
   verb.option("--threads", threads, "threads; all cores if left out. No result depends on it");
-  verb.flag("--resume", resume, "take over the cells that an earlier run of the same config completed");
+  const DeclaredOption resumed =
+      verb.flag("--resume", resume, "take over the cells that an earlier run of the same config completed");
+  Verb::exclude(resumed, verb.flag("--restart", restart, "drop the cells that a stopped run has kept"));
   verb.flag("--dry-run", dry_run, "say what it would cost (nodes, minutes, memory), and stop");
   verb.flag("--yes", yes, "allow more than 10^13 nodes");
 }
@@ -40,17 +42,27 @@ std::optional<std::uint64_t> RunFlags::given_seed() const {
   return read_count("--seed", seed);
 }
 
+KeptCells RunFlags::kept_cells() const {
+  if (resume) return KeptCells::take_over;
+  return restart ? KeptCells::drop : KeptCells::refuse;
+}
+
 std::filesystem::path RunFlags::folder_of(const RunConfig& config) const {
   return std::filesystem::path(out) / std::filesystem::path(config.path).stem();
 }
 
 void print_cost(const std::vector<RunConfig>& configs, const RunFlags& flags) {
-  emit(describe_cost(configs, read_threads(flags.threads)), "");
+  emit(describe_cost(configs, read_threads(flags.threads)));
+}
+
+void require_runnable(const std::vector<RunConfig>& configs, const RunFlags& flags) {
+  require_consent(total_nodes(configs), flags.yes);
+  require_run_memory(configs, read_threads(flags.threads));
+  for (const auto& config : configs) require_run_folder(flags.folder_of(config), flags.kept_cells());
 }
 
 Evidence run_configs(const std::vector<RunConfig>& configs, const RunFlags& flags,
                      const Cancellation& cancellation) {
-  require_consent(total_nodes(configs), flags.yes);
   ModelLooks looks;
   for (const auto& config : configs) looks.add(config);
   Evidence evidence(looks);

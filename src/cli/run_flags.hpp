@@ -10,18 +10,22 @@
 
 #include "ramify/config/run_config.hpp"
 #include "ramify/core/cancellation.hpp"
+#include "ramify/run/work_folder.hpp"
 
 namespace ramify::cli {
 
 /// Options that `run` and `reproduce` share.
 struct RunFlags {
   std::string out, seed, threads;
-  bool resume = false, dry_run = false, yes = false;
+  bool resume = false, restart = false, dry_run = false, yes = false;
 
   void add_to(Verb& verb);
 
   /// Of --seed.
   std::optional<std::uint64_t> given_seed() const;
+
+  /// Of --resume and --restart.
+  KeptCells kept_cells() const;
 
   /// --out/<stem of the config>
   std::filesystem::path folder_of(const RunConfig& config) const;
@@ -30,7 +34,11 @@ struct RunFlags {
 /// What the configs would cost, for --dry-run.
 void print_cost(const std::vector<RunConfig>& configs, const RunFlags& flags);
 
-/// Runs the configs one after the other; asks first, as large work wants. Throws Interrupted, after saying
+/// Throws Error where the configs are not to be run as they are: too large without --yes, or for the memory,
+/// or into folders that are not to be replaced.
+void require_runnable(const std::vector<RunConfig>& configs, const RunFlags& flags);
+
+/// Runs the configs, which are runnable, one after the other. Throws Interrupted, after saying
 /// where the complete cells lie, when stopped.
 Evidence run_configs(const std::vector<RunConfig>& configs, const RunFlags& flags,
                      const Cancellation& cancellation);

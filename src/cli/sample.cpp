@@ -23,7 +23,8 @@ namespace {
 
 struct SampleArguments {
   std::string preset, model, n, seed = "1996", replicates = "1", replicate, statistics = "strahler,height",
-                                format = "csv", threads, output, plot;
+                                format = "csv", threads, plot;
+  Output output;
   bool no_graft = false, yes = false;
 };
 
@@ -77,8 +78,12 @@ ExitCode sample(const SampleArguments& options, const Cancellation& cancellation
   const auto [model, n] = read_model(options);
   model.require_size(n);
   const Range range = read_range(options);
-  const TreeBatch batch{model, n, read_count("--seed", options.seed), read_threads(options.threads),
-                        !options.no_graft};
+  const TreeBatch batch{model,
+                        n,
+                        read_count("--seed", options.seed),
+                        read_threads(options.threads),
+                        !options.no_graft,
+                        progress_line("sample")};
   const auto picture = picture_file(options.plot);
   const double trees = static_cast<double>(range.last - range.first);
   if (options.format == "csv") {
@@ -86,6 +91,7 @@ ExitCode sample(const SampleArguments& options, const Cancellation& cancellation
     require_consent(trees * GraftRule(model, sampling_method(statistics, batch.graft)).grown_nodes(n),
                     options.yes);
     if (picture) require_histogram(statistics);
+    batch.require_memory(statistics, range.last - range.first);
     const Table table = batch.table(statistics, range.first, range.last, cancellation);
     if (picture) picture->draw(sample_plot(batch, *statistics.chosen().front(), table));
     emit(table, options.output);
@@ -95,6 +101,7 @@ ExitCode sample(const SampleArguments& options, const Cancellation& cancellation
       throw Error(fmt::format("--plot with --format {}", options.format), "a histogram is of a statistic",
                   "leave one of them out; ramify draw shows a tree");
     require_consent(trees * static_cast<double>(n), options.yes);
+    batch.require_memory(format, range.last - range.first);
     emit(batch.trees(format, range.first, range.last, cancellation), options.output);
   }
   return ExitCode::done;
@@ -109,19 +116,21 @@ void add_sample(Program& program) {
   verb.option("--n", options->n, "size: internal nodes, 0 to 2^62");
   verb.option("--preset", options->preset,
               "model and size of a figure; --n takes another size. See: ramify list presets");
-  verb.option("--replicates", options->replicates, "number of trees", Need::defaulted);
-  verb.option("--replicate", options->replicate, "replay this one alone (counted from 0)");
+  const DeclaredOption count =
+      verb.option("--replicates", options->replicates, "number of trees", Need::defaulted);
+  Verb::exclude(count,
+                verb.option("--replicate", options->replicate, "replay this one alone (counted from 0)"));
   verb.option("--seed", options->seed, "seed", Need::defaulted);
-  verb.option("--statistics", options->statistics, "comma-separated; see: ramify list statistics",
+  verb.option("--statistics,--statistic", options->statistics, "comma-separated; see: ramify list statistics",
               Need::defaulted);
-  verb.option("--format", options->format, "csv: statistics; newick, edges, swc, parens, json: the trees",
-              Need::defaulted);
+  verb.option("--format", options->format,
+              "csv: a table of statistics; newick, edges, swc, parens, json: the trees", Need::defaulted);
   verb.option("--threads", options->threads,
               "threads; all cores if left out. The result does not depend on it");
   verb.flag("--no-graft", options->no_graft,
             "grow every node, instead of drawing subtrees from their exact laws where that pays");
   verb.flag("--yes", options->yes, "allow more than 10^13 nodes");
-  verb.option("-o,--output", options->output, "write to this file, in one step");
+  options->output.add_table_to(verb);
   verb.option("--plot", options->plot,
               "draw the histogram of one statistic into this file, FILE.svg or FILE.png");
   verb.example(

@@ -1,22 +1,100 @@
 #include "session.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <chrono>
+#include <condition_variable>
 #include <cstdio>
 #include <cstring>
-#include <memory>
+#include <mutex>
 #include <thread>
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include "ramify/io/atomic_file.hpp"
 #include "ramify/io/csv_writer.hpp"
+#include "ramify/io/readable.hpp"
+#include "ramify/io/text_writer.hpp"
 #include "ramify/run/plan.hpp"
 #include "ramify/text/read_count.hpp"
 
 namespace ramify::cli {
+namespace {
+
+/// The progress line: a thread that writes it, so that work need not look at the clock.
+class Progress {
+ public:
+  Progress() : on_terminal_(isatty(STDERR_FILENO) != 0) {}
+
+  /// Of new work.
+  void show(const std::string& label) {
+    if (!on_terminal_) return;
+    hide();
+    label_ = label;
+    done_ = total_ = 0;
+    writer_ = std::jthread([this](const std::stop_token& stop) { write_lines(stop); });
+  }
+
+  void tell(double done, double total) {
+    done_ = done;
+    total_ = total;
+  }
+
+  void hide() {
+    if (writer_.joinable()) writer_ = {};  // waits for the thread
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr std::chrono::milliseconds silent{2000}, between{200};
+
+  void write_lines(const std::stop_token& stop) {
+    const auto begin = Clock::now();
+    std::unique_lock lock(mutex_);
+    bool written = false;
+    for (auto next = begin + silent; !wakes_.wait_until(lock, stop, next, [] { return false; });
+         next = Clock::now() + between) {
+      if (stop.stop_requested()) break;
+      write_line(std::chrono::duration<double>(Clock::now() - begin).count());
+      written = true;
+    }
+    if (written) fmt::print(stderr, "\r\033[K");
+    std::fflush(stderr);
+  }
+
+  void write_line(double seconds) {
+    const double done = done_, total = total_;
+    if (done > 0 && total > 0)
+      fmt::print(stderr, "\r{}: {:3.0f} %, {:.0f} s left \033[K", label_, 100 * done / total,
+                 seconds * (total - done) / done);
+    else
+      fmt::print(stderr, "\r{}: {:.0f} s \033[K", label_, seconds);
+    std::fflush(stderr);
+  }
+
+  const bool on_terminal_;
+  std::string label_;
+  std::atomic<double> done_ = 0, total_ = 0;
+  std::mutex mutex_;
+  std::condition_variable_any wakes_;
+  std::jthread writer_;  // last: it ends before what it uses does
+};
+
+/// Characters of a line of the terminal; 0 where it does not say.
+std::size_t terminal_width() {
+  winsize size{};
+  return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
+}
+
+Progress& progress() {
+  static Progress line;
+  return line;
+}
+
+}  // namespace
 
 std::vector<std::string> split_list(const std::string& text) {
   std::vector<std::string> items(1);
@@ -42,17 +120,32 @@ unsigned read_threads(const std::string& text) {
   return static_cast<unsigned>(threads);
 }
 
-void emit(const std::string& text, const std::string& output_file) {
-  if (!output_file.empty()) return write_file_atomically(output_file, text);
+void Output::add_to(Verb& verb) {
+  verb.option("-o,--output", file, "write to this file, in one step; - is standard output");
+}
+
+void Output::add_table_to(Verb& verb) {
+  add_to(verb);
+  verb.flag("--csv", csv, "a table as CSV on a terminal too, where it is aligned for reading");
+}
+
+bool Output::is_for_reading() const {
+  return (file.empty() || file == "-") && !csv && isatty(STDOUT_FILENO) != 0;
+}
+
+void emit(const std::string& text, const Output& output) {
+  clear_progress_line();
+  if (!output.file.empty() && output.file != "-") return write_file_atomically(output.file, text);
   const bool written =
       std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
+  if (!written && errno == EPIPE) throw ClosedPipe();
   if (!written)
     throw Error("cannot write to standard output", std::strerror(errno),
                 "free space, or name a file with -o");
 }
 
-void emit(const Table& table, const std::string& output_file) {
-  emit(write_csv(table), output_file);
+void emit(const Table& table, const Output& output) {
+  emit(output.is_for_reading() ? write_text(readable(table), terminal_width()) : write_csv(table), output);
 }
 
 std::optional<PictureFile> picture_file(const std::string& text) {
@@ -66,25 +159,17 @@ void require_consent(double nodes, bool yes) {
               "add --yes if you mean it, or see --dry-run");
 }
 
+void show_progress(const std::string& label) {
+  progress().show(label);
+}
+
 std::function<void(double, double)> progress_line(const std::string& label) {
-  if (isatty(STDERR_FILENO) == 0) return {};
-  using Clock = std::chrono::steady_clock;
-  const auto begin = Clock::now();
-  auto last = std::make_shared<Clock::time_point>(begin);
-  return [=](double done, double total) {
-    const auto now = Clock::now();
-    if (now - *last < std::chrono::milliseconds(200)) return;
-    *last = now;
-    const double seconds = std::chrono::duration<double>(now - begin).count();
-    const double left = done > 0 ? seconds * (total - done) / done : 0;
-    fmt::print(stderr, "\r{}: {:3.0f} %, {:.3g} nodes, {:.0f} s left \033[K", label, 100 * done / total, done,
-               left);
-    std::fflush(stderr);
-  };
+  progress().show(label);
+  return [](double done, double total) { progress().tell(done, total); };
 }
 
 void clear_progress_line() {
-  if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r\033[K");
+  progress().hide();
 }
 
 }  // namespace ramify::cli

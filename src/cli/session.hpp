@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "program.hpp"
+
 #include "ramify/core/cancellation.hpp"
 #include "ramify/core/error.hpp"
 #include "ramify/io/table.hpp"
@@ -21,10 +23,28 @@ std::vector<std::string> split_list(const std::string& text);
 /// Threads for --threads: the number given (1 to 1024), else as many as the machine has cores.
 unsigned read_threads(const std::string& text);
 
-/// Writes a text to standard output, or atomically to the file of -o. Throws Error where that fails.
-void emit(const std::string& text, const std::string& output_file);
-/// The same of a table, as CSV.
-void emit(const Table& table, const std::string& output_file);
+/// Whoever read standard output has gone: no fault, and nothing to say.
+class ClosedPipe {};
+
+/// Where a verb writes, and in which form a table: what -o/--output and --csv say.
+struct Output {
+  std::string file;  ///< empty, or "-": standard output
+  bool csv = false;
+
+  /// Declares -o/--output, in the one way it is said everywhere.
+  void add_to(Verb& verb);
+  /// The same, and --csv: of a verb that writes tables.
+  void add_table_to(Verb& verb);
+
+  /// The table is for a person to read: on a terminal, and --csv is not asked for.
+  bool is_for_reading() const;
+};
+
+/// Writes a text to standard output, or atomically to the file of -o. Throws Error where that fails,
+/// ClosedPipe where nobody reads any more.
+void emit(const std::string& text, const Output& output = {});
+/// The same of a table: as CSV, or aligned where it is for reading (io/readable.hpp).
+void emit(const Table& table, const Output& output);
 
 /// The file of --plot; nothing where the option was not given. Throws Error for a name that is no picture's.
 std::optional<PictureFile> picture_file(const std::string& text);
@@ -32,10 +52,14 @@ std::optional<PictureFile> picture_file(const std::string& text);
 /// Refuses more than 10^13 nodes unless --yes was given.
 void require_consent(double nodes, bool yes);
 
-/// A progress line on standard error; does nothing where that is not a terminal.
+/// From now on work that takes longer than two seconds says so on standard error where that is a terminal:
+/// "law: 12 s", or how much is done where the work tells it.
+void show_progress(const std::string& label);
+
+/// What work calls now and then to tell how much is done; any thread.
 std::function<void(double done, double total)> progress_line(const std::string& label);
 
-/// Ends the progress line.
+/// Ends the progress line, before anything else is written.
 void clear_progress_line();
 
 }  // namespace ramify::cli

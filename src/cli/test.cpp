@@ -16,7 +16,8 @@ namespace {
 
 struct TestArguments {
   std::vector<std::string> files;
-  std::string model, format = "auto", root, resolve, seed = "1996", replicates = "1999", threads, output;
+  std::string model, format = "auto", root, resolve, seed = "1996", replicates = "1999", threads;
+  Output output;
 };
 
 /// Throws Error where trees have forks of three or more, naming the first.
@@ -50,6 +51,35 @@ std::vector<RecordedTree> trees_for(const Model& model, const TestArguments& opt
   return trees;
 }
 
+std::string method_of(const ComparedStatistic& of, const Simulation& simulation) {
+  const std::string method = of.exact ? "exact law" : fmt::format("{} trees", simulation.trees);
+  return of.is_bound ? method + ", p_value a bound" : method;
+}
+
+/// "< 1e-20", "< 2/2000"
+std::string bound_text(const ComparedStatistic& of, const Simulation& simulation) {
+  return of.exact ? fmt::format("< {:g}", of.p_value) : fmt::format("< 2/{}", simulation.trees + 1);
+}
+
+Row row_of(const ComparedStatistic& of, const std::string& tree, const Model& model,
+           const Simulation& simulation, bool for_reading) {
+  Row row;
+  row.texts({tree, model.text(), of.column.name()});
+  if (of.column.statistic->is_order)
+    row.whole(0);
+  else
+    row.nothing();
+  row.summary(of.observed).summary(of.expected);
+  if (for_reading && of.is_bound)
+    row.text(bound_text(of, simulation));
+  else
+    row.summary(of.p_value);
+  return row.summary(of.effect())
+      .summary(of.adjusted_p)
+      .summary(of.deviation)
+      .text(method_of(of, simulation));
+}
+
 ExitCode test(const TestArguments& options, const Cancellation& cancellation) {
   const Model model = Model::parse(options.model);
   const Simulation simulation{read_count("--seed", options.seed),
@@ -58,21 +88,13 @@ ExitCode test(const TestArguments& options, const Cancellation& cancellation) {
     throw Error(fmt::format("--replicates {}", simulation.trees),
                 "the smallest p-value is 2/(replicates + 1): with fewer than 99 trees above 0.02",
                 "take 99 or more");
-  Table table({"tree", "model", "statistic", "observed", "expected", "p_value", "effect", "adjusted_p",
-               "standard_error", "method"});
+  Table table({"tree", "model", "statistic", "leaf_order", "observed", "expected", "p_value", "effect",
+               "adjusted_p", "standard_error", "method"});
   TreeComparison compare(model, simulation, cancellation);
   for (const auto& file : options.files)
     for (const RecordedTree& tree : trees_for(model, options, file))
       for (const auto& row : compare(tree.tree, tree.name))
-        table.add(Row()
-                      .texts({tree.name, model.text(), row.column.name()})
-                      .summary(row.observed)
-                      .summary(row.expected)
-                      .summary(row.p_value)
-                      .summary(row.effect())
-                      .summary(row.adjusted_p)
-                      .summary(row.deviation)
-                      .text(row.exact ? "exact law" : fmt::format("{} trees", simulation.trees)));
+        table.add(row_of(row, tree.name, model, simulation, options.output.is_for_reading()));
   emit(table, options.output);
   return ExitCode::done;
 }
@@ -97,7 +119,7 @@ void add_test(Program& program) {
   verb.option("--seed", options->seed, "seed", Need::defaulted);
   verb.option("--threads", options->threads,
               "threads; all cores if left out. The result does not depend on it");
-  verb.option("-o,--output", options->output, "write the table to this file, in one step");
+  options->output.add_table_to(verb);
   verb.example("Example: ramify test my_tree.txt --model bst");
   verb.work([options](const Cancellation& cancellation) { return test(*options, cancellation); });
 }

@@ -6,9 +6,10 @@
 namespace ramify::cli {
 namespace {
 
-Table constant_table(const std::vector<std::string>& model_texts) {
+Table constant_table(const std::vector<std::string>& model_texts, const Cancellation& cancellation) {
   Table table({"model", "constant", "value", "error", "formula", "source"});
   for (const auto& text : model_texts) {
+    if (cancellation.requested()) throw Interrupted();
     const Model model = Model::parse(text);
     for (const auto& constant : constants(model))
       table.add(Row()
@@ -24,16 +25,17 @@ Table constant_table(const std::vector<std::string>& model_texts) {
 
 void add_theory(Program& program) {
   struct Options {
-    std::string models, output;
+    std::string models;
+    Output output;
   };
   auto options = std::make_shared<Options>();
   Verb verb = program.verb("theory", "Limit constants of a model, computed, with formula, error and source");
-  verb.option("--model", options->models, "a model, or several separated by commas: \"bst,beta(10,80)\"",
-              Need::required);
-  verb.option("-o,--output", options->output, "write the table to this file");
+  verb.option("--model,--models", options->models,
+              "a model, or several separated by commas: \"bst,beta(10,80)\"", Need::required);
+  options->output.add_table_to(verb);
   verb.example("Example: ramify theory --model \"beta(10,80)\"");
-  verb.work([options](const Cancellation&) {
-    emit(constant_table(split_list(options->models)), options->output);
+  verb.work([options](const Cancellation& cancellation) {
+    emit(constant_table(split_list(options->models), cancellation), options->output);
     return ExitCode::done;
   });
 }

@@ -11,7 +11,8 @@ namespace ramify::cli {
 namespace {
 
 struct TrieArguments {
-  std::string p = "1/2", n, epsilon = "0.2", strings, seed = "1996", replicates = "1", output;
+  std::string p = "1/2", n, epsilon = "0.2", strings, seed = "1996", replicates = "1";
+  Output output;
   bool nodes = false;
 };
 
@@ -21,7 +22,7 @@ double read_real(const char* name, const std::string& text) {
               "write a number or a fraction, such as 0.23 or 1/4.35");
 }
 
-ExitCode trie(const TrieArguments& options) {
+ExitCode trie(const TrieArguments& options, const Cancellation& cancellation) {
   TrieRequest request;
   if (!options.strings.empty()) request.strings = split_list(options.strings);
   if (request.strings.empty() == options.n.empty())
@@ -32,7 +33,8 @@ ExitCode trie(const TrieArguments& options) {
   if (request.rule.n == 0) throw Error("--n 0", "a trie has one string at least", "take 1 or more");
   request.seed = read_count("--seed", options.seed);
   request.replicates = read_count("--replicates", options.replicates);
-  emit(options.nodes ? trie_node_table(request) : trie_zone_table(request), options.output);
+  emit(options.nodes ? trie_node_table(request, cancellation) : trie_zone_table(request, cancellation),
+       options.output);
   return ExitCode::done;
 }
 
@@ -51,9 +53,9 @@ void add_trie(Program& program) {
   verb.option("--replicates", options->replicates, "number of random tries", Need::defaulted);
   verb.option("--seed", options->seed, "seed; the tries are those of sample --model \"trie(p)\"",
               Need::defaulted);
-  verb.option("-o,--output", options->output, "write the table to this file, in one step");
+  options->output.add_table_to(verb);
   verb.example("Example: ramify trie --strings 01001,01011,10011,10100,11100 --nodes");
-  verb.work([options](const Cancellation&) { return trie(*options); });
+  verb.work([options](const Cancellation& cancellation) { return trie(*options, cancellation); });
 }
 
 }  // namespace ramify::cli

@@ -39,7 +39,8 @@ TEST(Help, OfEveryVerbHasAnExample) {
   }
 }
 
-// run and reproduce take minutes, the tree of `test` is the reader's own, and draw writes a file (README.md has its example).
+// run and reproduce take minutes, the tree of `test` is the reader's own, and draw writes a file (README.md
+// has its example).
 TEST(Help, ExamplesOfQuickVerbsRun) {
   const std::set<std::string> long_ones{"run", "reproduce", "fit", "test", "draw"};
   for (const auto& verb : verbs()) {
@@ -51,7 +52,38 @@ TEST(Help, ExamplesOfQuickVerbsRun) {
   }
 }
 
+TEST(Describe, CompletesVerbsAndOptionsInBash) {
+  const Scratch scratch;
+  const std::string file = (scratch / "completion").string();
+  ASSERT_EQ(ramify("describe bash -o " + file).code, 0);
+  const auto completed = [&](const std::string& words, int place) {
+    return shell("bash -c '. " + file + "; COMP_WORDS=(" + words + "); COMP_CWORD=" + std::to_string(place) +
+                 "; _ramify; echo ${COMPREPLY[*]}'")
+        .out;
+  };
+  EXPECT_EQ(completed("ramify sam", 1), "sample\n");
+  EXPECT_EQ(completed("ramify measure --tab", 2), "--table\n");
+  EXPECT_EQ(completed("ramify law --statis", 2), "--statistic --statistics\n");
+}
+
+TEST(Describe, HasEveryVerbAndOption) {
+  const std::string man = ramify("describe man").out, zsh = ramify("describe zsh").out;
+  for (const auto& verb : verbs()) {
+    EXPECT_NE(man.find("\n.SH RAMIFY " + verb + "\n"), std::string::npos) << verb;
+    EXPECT_NE(zsh.find("\n    " + verb + ")\n"), std::string::npos) << verb;
+  }
+  EXPECT_NE(man.find("\\-\\-leaf\\-order VALUE\n"), std::string::npos);
+  if (shell("command -v groff").code == 0) {
+    const Ran set =
+        shell("( " + std::string(RAMIFY_PROGRAM) + " describe man | groff -man -ww -Tutf8 >/dev/null )");
+    EXPECT_EQ(set.err, "");
+  }
+  if (shell("command -v zsh").code == 0)
+    EXPECT_EQ(shell(std::string(RAMIFY_PROGRAM) + " describe zsh | zsh -n").code, 0);
+}
+
 TEST(Help, VersionIsSaid) {
+  EXPECT_EQ(ramify("-V").out, ramify("--version").out);
   EXPECT_EQ(ramify("--version").out.substr(0, 7), "ramify ");
 }
 

@@ -12,9 +12,21 @@
 #include <unistd.h>
 
 #include "ramify/tabulate/law_request.hpp"
+#include "ramify/text/csv_reader.hpp"
 
 namespace ramify::test {
 namespace {
+
+/// `list statistics` and `law` say the same of what has a law.
+TEST(Law, AnswersForWhatTheListSaysIsKnownAndForNothingElse) {
+  const CsvData list = CsvData::parse(ramify("list statistics").out, "list");
+  for (std::size_t row = 0; row < list.rows(); ++row) {
+    const std::string name(list.at(row, "name")), known(list.at(row, "known"));
+    const std::string law = "law --model bst --n 10 --statistic " + name;
+    EXPECT_EQ(ramify(law).code, known == "exact law" ? 0 : 2) << name;
+    EXPECT_EQ(ramify(law + " --moments").code, known.starts_with("exact") ? 0 : 2) << name;
+  }
+}
 
 TEST(Law, PrintsEveryValueThatHasAProbability) {
   EXPECT_EQ(ramify("law --model bst --n 0,1,3 --statistic strahler").out,

@@ -69,15 +69,15 @@ TEST(Measure, GeometryStandsWhereTheFileHasIt) {
 TEST(Measure, LevelsAreTheProfile) {
   const Scratch scratch;
   const std::string file = scratch.file("one.newick", "((a,b),(c,(d,e)));\n");
-  EXPECT_EQ(ramify("measure --output levels " + file).out, "tree,depth,nodes,external_nodes\n" + file +
-                                                               ",1,1,0\n" + file + ",2,2,0\n" + file +
-                                                               ",3,4,3\n" + file + ",4,2,2\n");
+  EXPECT_EQ(ramify("measure --table levels " + file).out, "tree,depth,nodes,external_nodes\n" + file +
+                                                              ",1,1,0\n" + file + ",2,2,0\n" + file +
+                                                              ",3,4,3\n" + file + ",4,2,2\n");
 }
 
 TEST(Measure, SummaryHasARowForEveryTree) {
   const Scratch scratch;
   const std::string file = scratch.file("two.newick", "(a,(b,c));\n((a,b),(c,d));\n");
-  const Ran ran = ramify("measure --output summary " + file);
+  const Ran ran = ramify("measure --table summary " + file);
   ASSERT_EQ(ran.code, 0) << ran.err;
   EXPECT_EQ(joined(column(ran.out, "tree")), file + ":1 " + file + ":2");
   EXPECT_EQ(joined(column(ran.out, "strahler")), "2 3");
@@ -87,11 +87,11 @@ TEST(Measure, SummaryHasARowForEveryTree) {
   EXPECT_EQ(joined(column(ran.out, "nodes_pooled_ratio")), "1.5 2");
   EXPECT_EQ(joined(column(ran.out, "ramification_2_1")), "0.5 0");
   EXPECT_EQ(joined(column(ran.out, "tokunaga_1")), "1 0");
-  EXPECT_EQ(joined(column(ramify("measure --leaf-order 0 --output summary " + file).out, "strahler")), "1 2");
+  EXPECT_EQ(joined(column(ramify("measure --leaf-order 0 --table summary " + file).out, "strahler")), "1 2");
 }
 
 TEST(Measure, JsonHasEverything) {
-  const Ran ran = ramify("measure --output json data/examples/sapling_edges.csv");
+  const Ran ran = ramify("measure --table json data/examples/sapling_edges.csv");
   const auto tree = nlohmann::json::parse(ran.out).at(0);
   EXPECT_EQ(tree.at("statistics").at("streams"), (std::vector<int>{8, 3, 1}));
   EXPECT_EQ(tree.at("statistics").at("ramification").at(1).size(), 3u);
@@ -102,7 +102,7 @@ TEST(Measure, JsonHasEverything) {
 }
 
 TEST(Measure, NodesHaveARowEach) {
-  const Ran ran = ramify("measure --output nodes data/examples/sapling.newick");
+  const Ran ran = ramify("measure --table nodes data/examples/sapling.newick");
   EXPECT_EQ(count_lines(ran.out), 16u);
   EXPECT_NE(ran.out.find("data/examples/sapling.newick,1,0,trunk,1,3,5,5,1,8,1,0,120,\n"), std::string::npos)
       << ran.out;
@@ -119,14 +119,29 @@ TEST(Measure, OneChildNodesAreContractedUnlessTheyAreToBeKept) {
 TEST(Measure, TheRuleForForksOfThree) {
   const Scratch scratch;
   const std::string file = scratch.file("three.txt", "((EE)EE)\n((EE)(EE)E)\n");
-  EXPECT_EQ(joined(column(ramify("measure --output summary " + file).out, "strahler")), "2 3");
+  EXPECT_EQ(joined(column(ramify("measure --table summary " + file).out, "strahler")), "2 3");
+}
+
+TEST(Measure, ChosenStatisticsAreTheColumnsOfTheSummary) {
+  EXPECT_EQ(
+      ramify("measure --statistics size,strahler,colless data/examples/sapling.newick").out,
+      ramify("measure --table summary --statistic size,strahler,colless data/examples/sapling.newick").out);
+  const Scratch scratch;
+  const std::string file = scratch.file("trees.txt", "((EE)E)\n((EE)EE)\n");
+  const Ran ran = ramify("measure --statistics strahler,colless,streams " + file);
+  EXPECT_EQ(ran.out, "tree,leaf_order,strahler,colless,streams_1,streams_2\n" + file + ":1,1,2,1,3,1\n" +
+                         file + ":2,1,2,,4,1\n");
+  EXPECT_NE(ran.err.find("1 of 2 trees have forks of three or more, " + file + ":2 first, and no colless"),
+            std::string::npos)
+      << ran.err;
+  EXPECT_EQ(ramify("measure --statistics strahler " + file).err, "");
 }
 
 TEST(Measure, AForestSaysWhichTreesHaveWideForks) {
   const Scratch scratch;
   const std::string file =
       scratch.file("forest.newick", "((a,b),(c,d));\n(a,b,(c,d,e));\n((a,b,c),(d,e));\n");
-  const Ran norms = ramify("measure --output norms " + file);
+  const Ran norms = ramify("measure --table norms " + file);
   EXPECT_EQ(norms.code, 0) << norms.err;
   EXPECT_NE(norms.err.find("2 of 3 trees have forks of three or more, " + file + ":2 first"),
             std::string::npos)
@@ -137,12 +152,12 @@ TEST(Measure, AForestSaysWhichTreesHaveWideForks) {
             std::string::npos)
       << refused.err;
   for (const char* way : {"ladder", "random"}) {
-    const Ran resolved = ramify(std::string("measure --output norms --resolve ") + way + ' ' + file);
+    const Ran resolved = ramify(std::string("measure --table norms --resolve ") + way + ' ' + file);
     EXPECT_EQ(resolved.err, "");
     EXPECT_NE(resolved.out.find(file + ":2,4,"), std::string::npos) << resolved.out;
     EXPECT_EQ(ramify(std::string("test --replicates 99 --model bst --resolve ") + way + ' ' + file).code, 0);
   }
-  EXPECT_EQ(joined(column(ramify("measure --output summary --resolve ladder " + file).out, "strahler")),
+  EXPECT_EQ(joined(column(ramify("measure --table summary --resolve ladder " + file).out, "strahler")),
             "3 2 3");
   EXPECT_EQ(ramify("measure --resolve comb " + file).code, 2);
 }
@@ -150,7 +165,7 @@ TEST(Measure, AForestSaysWhichTreesHaveWideForks) {
 TEST(Measure, SaysOnceWhatItDoesNotRead) {
   const Scratch scratch;
   const std::string file = scratch.file("cell.swc", "1 1 0 0 0 5 -1 7\n2 3 0 10 0 1 1 7\n");
-  for (const char* verb : {"measure ", "measure --output json "}) {
+  for (const char* verb : {"measure ", "measure --table json "}) {
     const Ran ran = ramify(verb + file);
     EXPECT_EQ(ran.code, 0);
     EXPECT_EQ(ran.err, "ramify: warning: " + file + ": ignored: 2 fields after the seventh\n");
@@ -181,7 +196,7 @@ TEST(Measure, CountsOfStreamsAreRecognised) {
   const std::string good = scratch.file("walnut.csv",
                                         "order,count,diameter\n1,1868,8.6\n2,596,11.1\n3,182,18\n"
                                         "4,50,30\n5,16,47\n6,6,83\n7,1,184\n");
-  const Ran summary = ramify("measure --output summary " + good);
+  const Ran summary = ramify("measure --table summary " + good);
   EXPECT_EQ(joined(column(summary.out, "streams_mean_ratio")), "3.640103355") << summary.err;
   EXPECT_EQ(joined(column(summary.out, "nodes_mean_ratio")), "");
   EXPECT_EQ(summary.err, "");
@@ -191,20 +206,20 @@ TEST(Measure, CountsOfStreamsAreRecognised) {
   const Ran warned = ramify("measure " + links);
   EXPECT_EQ(warned.code, 0);
   EXPECT_NE(warned.err.find("may be links, nodes or Horsfield orders, not streams"), std::string::npos);
-  EXPECT_EQ(ramify("measure --output nodes " + links).code, 2);
+  EXPECT_EQ(ramify("measure --table nodes " + links).code, 2);
 }
 
 TEST(Measure, WrittenTreesAreReadBack) {
   const Scratch scratch;
   for (const char* model : {"bst", "'trie(0.3)'", "'ternary(0.2)'"}) {
     const std::string what = std::string("sample --n 200 --replicates 3 --model ") + model;
-    const std::string whole = ramify(what + " --statistics nodes,streams,height,colless --no-graft").out;
+    const std::string whole = ramify(what + " --statistics nodes,streams,colless,height --no-graft").out;
     for (const char* format : {"newick", "edges", "swc", "parens", "json"}) {
       const Ran trees = ramify(what + " --format " + format + " -o " + (scratch / "trees").string());
       ASSERT_EQ(trees.code, 0) << trees.err;
       const std::string root = std::string(format) == "swc" ? " --root all " : " ";
-      const Ran read = ramify("measure --keep-unary --leaf-order 0 --output summary" + root +
-                              (scratch / "trees").string());
+      const Ran read =
+          ramify("measure --keep-unary --leaf-order 0 --table summary" + root + (scratch / "trees").string());
       ASSERT_EQ(read.code, 0) << read.err;
       for (const char* name : {"height", "colless", "nodes_0", "nodes_2", "streams_1"})
         EXPECT_EQ(column(read.out, name), column(whole, name)) << model << ' ' << format << ' ' << name;
@@ -240,7 +255,7 @@ TEST(BadTreeFile, NamesFileLineAndColumn) {
   };
   for (const auto& c : cases) {
     const std::string file = scratch.file("bad", c.text);
-    for (const char* verb : {"measure ", "measure --output json "}) {
+    for (const char* verb : {"measure ", "measure --table json "}) {
       const Ran ran = ramify(verb + file);
       EXPECT_EQ(ran.code, 2) << c.says << ran.err;
       EXPECT_EQ(ran.out, "");
@@ -254,7 +269,7 @@ TEST(MeasuredTrees, TheWalnutsRatiosByNodesAndByStreams) {
   const char* shared = std::getenv("RAMIFY_SHARED");
   if (shared == nullptr) GTEST_SKIP() << "RAMIFY_SHARED names no folder of measured trees";
   const std::string trees = std::string(shared) + "/trees/";
-  const Ran ran = ramify("measure --output summary " + trees + "walnut_branches.csv");
+  const Ran ran = ramify("measure --table summary " + trees + "walnut_branches.csv");
   ASSERT_EQ(ran.code, 0) << ran.err;
   EXPECT_EQ(joined(column(ran.out, "nodes_mean_ratio")).substr(0, 4), "2.44");
   EXPECT_EQ(joined(column(ran.out, "streams_mean_ratio")).substr(0, 4), "3.64");

@@ -78,8 +78,8 @@ TEST(Run, IsSilentOnStandardErrorWhenPipedExceptForItsClosingLines) {
   EXPECT_EQ(ran.err.find('\r'), std::string::npos) << "a progress line in a pipe";
 }
 
-// The one test of a signal: all that comes after it is tested in the library
-// (tests/threads/run_stop_test.cpp).
+// How soon every verb ends is tested in stop_test.cpp, what comes after it in
+// tests/threads/run_stop_test.cpp.
 TEST(Run, StopsAtASignalAndSaysWhereTheCompleteCellsAre) {
   const Scratch scratch;
   const std::string config = scratch.file("slow.toml",
@@ -107,6 +107,33 @@ TEST(Run, RefusesAConfigThatCannotDecideItsClaim) {
   EXPECT_EQ(count_lines(ran.err), 1u) << ran.err;
   EXPECT_NE(ran.err.find("claim C20 with 3 sizes of bst"), std::string::npos) << ran.err;
   EXPECT_FALSE(std::filesystem::exists(scratch / "o"));
+}
+
+TEST(Run, WithOneTreeACellDecidesNoClaim) {
+  const Scratch scratch;
+  const std::string config = scratch.file("c22.toml",
+                                          "claim=\"C22\"\nmodels=[\"catalan\"]\nn=[10,20,30,40]\n"
+                                          "replicates=1\nstatistics=[\"strahler\"]\n");
+  const Ran ran = ramify("run " + config + " --out " + (scratch / "o").string());
+  EXPECT_EQ(ran.code, 2);
+  EXPECT_EQ(count_lines(ran.err), 1u) << ran.err;
+  EXPECT_NE(ran.err.find("claim C22 with 1 replicate(s) at n = 10"), std::string::npos) << ran.err;
+}
+
+/// What a stopped run has kept is neither dropped nor taken over without a word.
+TEST(Run, OverKeptCellsHasToBeMeant) {
+  const Scratch scratch;
+  const std::string config = scratch.file("small.toml", quick_config);
+  const std::string run = "run " + config + " --out " + (scratch / "o").string();
+  std::filesystem::create_directories(scratch / "o/small.incomplete/cells");
+  std::ofstream(scratch / "o/small.incomplete/cells/0.json") << "{}";
+  const Ran refused = ramify(run);
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_NE(refused.err.find("1 cell(s) of a stopped run are kept"), std::string::npos) << refused.err;
+  EXPECT_TRUE(std::filesystem::exists(scratch / "o/small.incomplete/cells/0.json"));
+  EXPECT_EQ(ramify(run + " --resume --restart").code, 2);
+  EXPECT_EQ(ramify(run + " --restart").code, 0);
+  EXPECT_FALSE(std::filesystem::exists(scratch / "o/small.incomplete"));
 }
 
 TEST(Run, DryRunSaysWhatItWouldCostAndDoesNothing) {

@@ -92,6 +92,21 @@ TEST(Sample, ThreadsAndOutputFileChangeNothing) {
   EXPECT_EQ(expected, read_file(scratch / "t.csv"));
 }
 
+TEST(Sample, AStatisticIsNamedAsEverywhere) {
+  EXPECT_EQ(ramify("sample --model bst --n 9 --statistic height").out,
+            ramify("sample --model bst --n 9 --statistics height").out);
+  EXPECT_EQ(ramify("law --model bst --n 9 --statistic height").out,
+            ramify("law --model bst --n 9 --statistics height").out);
+}
+
+/// docs/coverage.md: it says nothing of nodes with three children.
+TEST(Sample, TheCollessIndexOfTreesWithForksOfThreeIsEmpty) {
+  EXPECT_EQ(line(ramify("sample --model 'ternary(0.3)' --n 5 --statistics size,colless").out, 2),
+            "ternary(0.3),5,1996,0,5,");
+  EXPECT_EQ(line(ramify("sample --model chain --n 5 --statistics size,colless").out, 2),
+            "chain,5,1996,0,5,10");
+}
+
 TEST(Sample, ModelsWithParametersAreQuoted) {
   EXPECT_EQ(ramify("sample --model 'beta(1,5)' --n 1").out,
             "model,n,seed,replicate,strahler,height\n\"beta(1,5)\",1,1996,0,1,2\n");

@@ -36,6 +36,12 @@ function(block_of page language variable)
 endfunction()
 
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix})
+foreach(page man/man1/ramify.1 bash-completion/completions/ramify zsh/site-functions/_ramify)
+  file(READ ${prefix}/share/${page} text)
+  if(NOT text MATCHES "measure")
+    message(FATAL_ERROR "share/${page} does not know the verbs")
+  endif()
+endforeach()
 build_project(${SOURCE} ${SCRATCH}/build)
 
 # A package that still leans on the build tree would work here and nowhere else.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -230,12 +231,13 @@ std::uint64_t sackin(const Shape& shape) {
   return sum;
 }
 
-std::uint64_t colless(const Shape& shape) {
-  std::uint64_t sum = 0;
+double colless(const Shape& shape) {
+  double sum = 0;
   visit(shape, [&](const Shape& node) {
+    if (node.children.size() > 2) sum = std::numeric_limits<double>::quiet_NaN();
     if (node.children.size() != 2) return;
     const auto left = external_nodes(node.children[0]), right = external_nodes(node.children[1]);
-    sum += std::max(left, right) - std::min(left, right);
+    sum += static_cast<double>(std::max(left, right) - std::min(left, right));
   });
   return sum;
 }

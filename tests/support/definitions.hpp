@@ -58,8 +58,9 @@ std::uint64_t path_length(const Shape& shape);
 /// The same for all external nodes.
 std::uint64_t sackin(const Shape& shape);
 
-/// Sum over the nodes with two children of the difference of their numbers of external nodes.
-std::uint64_t colless(const Shape& shape);
+/// Sum over the nodes with two children of the difference of their numbers of external nodes; NaN where a
+/// node has three children or more.
+double colless(const Shape& shape);
 
 /// Sum over the pairs of external nodes of the depth, in edges, of their last common node.
 double total_cophenetic(const Shape& shape);

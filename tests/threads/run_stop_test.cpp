@@ -1,5 +1,6 @@
 // A run that is stopped keeps its complete cells, and resumed gives the bytes of one that was not.
 #include <filesystem>
+#include <fstream>
 
 #include <gtest/gtest.h>
 
@@ -21,12 +22,12 @@ class StoppedRun : public testing::Test {
   void TearDown() override { fs::remove_all(folder_); }
 
   /// Runs the config on one thread, whose blocks come in order, and stops once so many nodes are grown.
-  RunOutcome run(const char* name, bool resume, double nodes) const {
+  RunOutcome run(const char* name, KeptCells kept, double nodes) const {
     Cancellation stop;
     const auto watch = [&](double done, double) {
       if (done >= nodes) stop.request();
     };
-    return run_experiment(config_, {folder_ / name, 1, resume, watch}, stop);
+    return run_experiment(config_, {folder_ / name, 1, kept, watch}, stop);
   }
 
   std::string table(const fs::path& run) const { return read_text_file(run / "summary.csv"); }
@@ -41,7 +42,7 @@ class StoppedRun : public testing::Test {
 };
 
 TEST_F(StoppedRun, KeepsCompleteCellsAndPutsItsThingsAway) {
-  const RunOutcome stopped = run("o", false, two_cells);
+  const RunOutcome stopped = run("o", KeptCells::refuse, two_cells);
   EXPECT_FALSE(stopped.finished);
   EXPECT_EQ(stopped.folder, folder_ / "o.incomplete");
   EXPECT_FALSE(fs::exists(folder_ / "o"));
@@ -55,18 +56,41 @@ TEST_F(StoppedRun, KeepsCompleteCellsAndPutsItsThingsAway) {
 
 // Laws and plots take longer than the two seconds that a stopped run has.
 TEST_F(StoppedRun, HasNoTimeForLawsAndPlots) {
-  const RunOutcome stopped = run("o", false, two_cells);
+  const RunOutcome stopped = run("o", KeptCells::refuse, two_cells);
   for (const auto& cell : stopped.checked.cells) EXPECT_FALSE(cell.worst_z());
   EXPECT_TRUE(fs::is_empty(stopped.folder / "plots"));
 }
 
 TEST_F(StoppedRun, ResumesToTheSameBytes) {
-  run("o", false, two_cells);
-  const RunOutcome resumed = run("o", true, never), fresh = run("fresh", false, never);
+  run("o", KeptCells::refuse, two_cells);
+  EXPECT_THROW(run("o", KeptCells::refuse, never), Error);
+  const RunOutcome resumed = run("o", KeptCells::take_over, never),
+                   fresh = run("fresh", KeptCells::refuse, never);
   EXPECT_TRUE(resumed.finished);
   EXPECT_EQ(resumed.folder, folder_ / "o");
   EXPECT_EQ(table(resumed.folder), table(fresh.folder));
   EXPECT_NE(table(fresh.folder).find("bst,30000,"), std::string::npos);
+}
+
+TEST_F(StoppedRun, IsDroppedWhereThatIsAskedFor) {
+  run("o", KeptCells::refuse, two_cells);
+  EXPECT_TRUE(run("o", KeptCells::drop, never).finished);
+  EXPECT_FALSE(fs::exists(folder_ / "o.incomplete"));
+}
+
+TEST_F(StoppedRun, DoesNotReplaceAFolderThatIsNotOfARun) {
+  fs::create_directories(folder_ / "mine");
+  std::ofstream(folder_ / "mine/thesis.tex") << "x";
+  EXPECT_THROW(run("mine", KeptCells::refuse, never), Error);
+  std::ofstream(folder_ / "file") << "x";
+  EXPECT_THROW(run("file", KeptCells::refuse, never), Error);
+  EXPECT_TRUE(fs::exists(folder_ / "mine/thesis.tex") && fs::exists(folder_ / "file"));
+}
+
+TEST_F(StoppedRun, HasItsFolderForItself) {
+  const WorkFolder other(folder_ / "o", KeptCells::refuse);
+  EXPECT_THROW(run("o", KeptCells::refuse, never), Error);
+  EXPECT_THROW(run("o", KeptCells::drop, never), Error);
 }
 
 }  // namespace

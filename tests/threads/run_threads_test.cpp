@@ -16,7 +16,7 @@ TEST(RunThreads, OfAnyNumberGiveTheCommittedSummary) {
   const Cancellation never;
   for (const unsigned threads : {1u, 7u}) {
     std::filesystem::remove_all(folder);
-    run_experiment(config, {folder, threads, false, {}}, never);
+    run_experiment(config, {folder, threads, KeptCells::refuse, {}}, never);
     EXPECT_EQ(read_text_file(folder / "summary.csv"), read_text_file(golden / "summary.csv"))
         << threads << " threads";
   }

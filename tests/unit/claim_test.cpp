@@ -74,6 +74,14 @@ TEST(CatalanClaim, SeesAGrowingVariance) {
   EXPECT_EQ(outcome_of(catalan_order_claim().judge({catalan}), "C22.2"), Outcome::refuted);
 }
 
+TEST(CatalanClaim, WithoutAnySpreadIsLeftOpen) {
+  auto catalan = line_of("catalan", "strahler", 1 / std::log(4.0), 0);
+  for (auto& cell : catalan.cells) cell.result.replicates = 10;
+  const auto verdicts = catalan_order_claim().judge({catalan});
+  EXPECT_EQ(outcome_of(verdicts, "C22.2"), Outcome::inconclusive);
+  for (const auto& verdict : verdicts) EXPECT_TRUE(std::isfinite(verdict.upper)) << verdict.claim;
+}
+
 TEST(Claims, AreFoundByNumberAndRefusedOtherwise) {
   EXPECT_EQ(find_claims("C6 C7").size(), 2u);
   EXPECT_TRUE(find_claims("").empty());
@@ -103,10 +111,10 @@ TEST(PatriciaClaims, NumberTheModelsOfTheConfigsInTheirOrder) {
 
 /// A config with the needs of its claim but for what is put in their place.
 RunConfig config_of(const std::string& claim, const std::string& model, const std::string& statistic,
-                    int sizes = 4) {
+                    int sizes = 4, int trees = 10) {
   return parse_run_config(fmt::format("claim = \"{}\"\nmodels = [\"{}\"]\nstatistics = [\"{}\"]\n"
-                                      "n = {{ from = 10, factor = 2, count = {} }}\nreplicates = 5\n",
-                                      claim, model, statistic, sizes),
+                                      "n = {{ from = 10, factor = 2, count = {} }}\nreplicates = {}\n",
+                                      claim, model, statistic, sizes, trees),
                           "c.toml");
 }
 
@@ -123,6 +131,10 @@ TEST(ServedClaims, AreThoseOfWhichNothingIsMissing) {
             "model, or the claim, out of the config");
   EXPECT_EQ(config_refusal(config_of("C22", "catalan", "strahler", 3)),
             "c.toml: claim C22 with 3 sizes of catalan (it is judged over 4 or more): add sizes to n");
+  EXPECT_EQ(
+      config_refusal(config_of("C22", "catalan", "strahler", 4, 9)),
+      "c.toml: claim C22 with 9 replicate(s) at n = 10 (the error of a mean is taken from the spread of its "
+      "trees): take 10 or more");
   EXPECT_EQ(config_refusal(config_of("C6", "catalan", "depth")).substr(0, 33),
             "c.toml: claim C6 with model catal");
   EXPECT_EQ(config_refusal(config_of("C7", "trie(0.3)", "height")).substr(0, 27),

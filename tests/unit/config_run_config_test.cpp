@@ -151,7 +151,7 @@ const Refusal models_and_statistics[] = {
     {with_line(1, "models = [\"bst\", \"bts\"]"),
      "c.toml:1:18: unknown model 'bts' (no model has that name): did you mean bst"},
     {with_line(1, "models = [\"beta(0,1)\"]"),
-     "c.toml:1:11: beta(a,b) with a = 0 (a must be a finite number above 0): "},
+     "c.toml:1:11: beta(a,b) with a = 0 (a must lie in [1e-9,1e9]): "},
     {with_line(1, "models = [\"patricia(1)\"]"), "c.toml:1:11: patricia(p) with p = 1 ("},
     {with_line(1, "models = [\"b\\nst\"]"), "c.toml:1:11: unknown model 'b\\x0ast' ("},
     {with_line(1, "models = [\"b\\u0007st\"]"), "c.toml:1:11: unknown model 'b\\x07st' ("},

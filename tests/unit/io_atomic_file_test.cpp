@@ -72,14 +72,14 @@ TEST_F(AtomicFile, FullDiskKeepsTheOldFileAndLeavesNoTemporary) {
     message = error_of([&] { write_file_atomically(path, std::string(100'000, 'x')); });
   }
   EXPECT_EQ(message,
-            "cannot write '" + path.string() + "' (File too large): free space or choose another --out");
+            "cannot write '" + path.string() + "' (File too large): free space or choose another place");
   EXPECT_EQ(read_text_file(path), "old");
   EXPECT_EQ(files(), 1u);
 }
 
 TEST_F(AtomicFile, ErrorOnlySeenAtTheClose) {
   EXPECT_EQ(error_of([] { write_file_atomically("/dev/full", "short"); }),
-            "cannot write '/dev/full' (No space left on device): free space or choose another --out");
+            "cannot write '/dev/full' (No space left on device): free space or choose another place");
   EXPECT_TRUE(fs::is_character_file("/dev/full"));
 }
 
@@ -87,7 +87,7 @@ TEST_F(AtomicFile, MissingFolderAndFolderAsTarget) {
   const fs::path absent = folder_ / "absent" / "table.csv";
   EXPECT_EQ(error_of([&] { write_file_atomically(absent, "x"); }),
             "cannot write '" + absent.string() +
-                "' (No such file or directory): create its folder or choose another --out");
+                "' (No such file or directory): create its folder or choose another place");
   fs::create_directory(folder_ / "sub");
   EXPECT_NE(error_of([&] { write_file_atomically(folder_ / "sub", "x"); }).find("(Is a directory)"),
             std::string::npos);
@@ -123,7 +123,7 @@ TEST_F(AtomicFile, UnusableFolderIsRefused) {
   write_file_atomically(folder_ / "file", "x");
   EXPECT_EQ(
       error_of([&] { require_writable_folder(folder_ / "file"); }),
-      "cannot use the folder '" + (folder_ / "file").string() + "' (Not a directory): choose another --out");
+      "cannot use the folder '" + (folder_ / "file").string() + "' (Not a directory): choose another place");
   EXPECT_NE(error_of([&] { require_writable_folder(folder_ / "file" / "sub"); }).find("(Not a directory)"),
             std::string::npos);
   EXPECT_NE(error_of([] { require_writable_folder("/proc/ramify"); }).find("cannot use the folder"),

@@ -123,7 +123,7 @@ Values defined(const test::Shape& shape) {
                 {"height", real(test::height(shape))},
                 {"path_length", real(test::path_length(shape))},
                 {"sackin", real(test::sackin(shape))},
-                {"colless", real(test::colless(shape))},
+                {"colless", test::colless(shape)},
                 {"cherries", real(test::cherries(shape))},
                 {"width", real(*std::max_element(levels.begin(), levels.end()))},
                 {"fill_level", real(test::level_of_first_gap(shape))},

@@ -95,7 +95,7 @@ TEST(LawRequest, ThatTakesMoreThanAnHourHasToBeMeant) {
 /// Every split model, and parameters that make their rows or their laws very wide or very narrow.
 std::vector<std::string> models_and_extremes() {
   std::vector<std::string> models = test::all_models();
-  models.insert(models.end(), {"beta(0.01,0.01)", "beta(1e9,1e9)", "beta(1e300,1e-300)", "split(0.01)",
+  models.insert(models.end(), {"beta(0.01,0.01)", "beta(1e9,1e9)", "beta(1e9,1e-9)", "split(0.01)",
                                "patricia(1e-9)", "aldous(-1.999)", "aldous(-0.999)"});
   return models;
 }

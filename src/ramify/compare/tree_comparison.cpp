@@ -12,6 +12,7 @@
 #include "ramify/accumulate/real_summary.hpp"
 #include "ramify/compare/holm.hpp"
 #include "ramify/core/error.hpp"
+#include "ramify/core/memory.hpp"
 #include "ramify/law/exact_means.hpp"
 #include "ramify/sample/grow_blocks.hpp"
 #include "ramify/sample/measure_tree.hpp"
@@ -57,6 +58,9 @@ constexpr std::uint64_t most_trees = 16;
 /// The statistics of simulated trees, tree by tree.
 std::vector<Row> simulated(const Model& model, Size n, const std::vector<StatisticColumn>& columns,
                            const Simulation& simulation, const Cancellation& cancellation) {
+  require_memory("the simulated trees", "--replicates", simulation.trees, [&](std::uint64_t trees) {
+    return static_cast<double>(trees) * static_cast<double>(sizeof(Row) + 16 + 8 * columns.size());
+  });
   std::vector<Row> rows(simulation.trees);
   const GrowingJob job{model,     n, simulation.seed, whole_trees(all_but_indices), 0, simulation.trees,
                        most_trees};
@@ -70,6 +74,12 @@ std::vector<Row> simulated(const Model& model, Size n, const std::vector<Statist
 
 double two_sided(double at_most, double at_least) {
   return std::min(1.0, 2 * std::min(at_most, at_least));
+}
+
+/// Below it a tail of an exact law is not known: laws of orders and heights are cut at 1e-20, others are
+/// right to 1e-15.
+double least_p_value(const StatisticInfo& statistic) {
+  return &statistic == &statistic::strahler || &statistic == &statistic::height ? 1e-20 : 1e-15;
 }
 
 double exact_p_value(const FiniteLaw& law, double observed) {
@@ -118,9 +128,11 @@ struct TreeComparison::Reference {
     const bool has_moments = known && !std::isnan(known->variance);
     const Moments moments = has_moments ? *known : simulated_moments(trees, i);
     const auto law = exact ? exact->law(columns[i], n) : std::nullopt;
+    const double least =
+        law ? least_p_value(*columns[i].statistic) : 2 / (static_cast<double>(trees.size()) + 1);
     const double p = law ? exact_p_value(*law, observed) : simulated_p_value(trees, i, observed);
-    return {columns[i], observed, moments.mean,   std::sqrt(std::max(0.0, moments.variance)),
-            p,          0,        law.has_value()};
+    return {columns[i],         observed, moments.mean,    std::sqrt(std::max(0.0, moments.variance)),
+            std::max(p, least), 0,        law.has_value(), p <= least};
   }
 };
 
@@ -153,6 +165,7 @@ std::vector<ComparedStatistic> TreeComparison::operator()(const Tree& tree, std:
   std::vector<ComparedStatistic> result;
   std::vector<double> p_values;
   for (std::size_t i = 0; i < observed.size(); ++i) {
+    if (std::isnan(observed[i])) continue;  // a statistic that says nothing of this tree
     result.push_back(trees.compare(i, n, observed[i]));
     p_values.push_back(result.back().p_value);
   }

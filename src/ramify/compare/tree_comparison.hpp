@@ -23,6 +23,7 @@ struct ComparedStatistic {
   double p_value;     ///< two-sided: twice the smaller of P(X <= observed) and P(X >= observed), at most 1
   double adjusted_p;  ///< for the number of statistics (Holm 1979)
   bool exact;         ///< the p-value is that of the exact law, else of the simulated trees
+  bool is_bound;      ///< the p-value is at most p_value: the law, or the sample, says no more
 
   /// Standard deviations off the mean; 0 where all trees have the same value and so has this one, infinite
   /// where not.

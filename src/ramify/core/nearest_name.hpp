@@ -6,8 +6,8 @@
 
 namespace ramify {
 
-/// The known names closest to a mistyped one (edit distance, a swap of neighbours counting once): at most
-/// three, closest first; none where nothing is near.
+/// The known names closest to a mistyped one (edit distance without regard to case, a swap of neighbours
+/// counting once): at most three, closest first; none where nothing is near.
 std::vector<std::string> nearest_names(std::string_view name, const std::vector<std::string>& known);
 
 /// "did you mean bst or beta? " or "" where nothing is near; for the remedy of an Error.

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -28,7 +29,11 @@ void parallel_for(std::size_t count, unsigned threads,
   };
   {
     std::vector<std::jthread> team;
-    for (unsigned worker = 1; worker < threads; ++worker) team.emplace_back(take_items, worker);
+    try {
+      for (unsigned worker = 1; worker < threads; ++worker) team.emplace_back(take_items, worker);
+    } catch (const std::system_error&) {
+      // The system has no more threads: those there are do the work.
+    }
     take_items(0);
   }
   if (failure) std::rethrow_exception(failure);

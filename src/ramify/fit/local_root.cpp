@@ -7,6 +7,7 @@
 
 #include <boost/math/special_functions/gamma.hpp>
 #include <ceres/ceres.h>
+#include <glog/logging.h>
 
 #include "ramify/core/contract.hpp"
 
@@ -27,6 +28,11 @@ struct Residual {
   }
 };
 
+/// What Ceres has to say is in the result; lines of its own on standard error are none of ours.
+void silence_ceres() {
+  FLAGS_minloglevel = google::GLOG_FATAL;
+}
+
 ceres::Solver::Options solver_options() {
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::DENSE_QR;
@@ -42,6 +48,7 @@ ceres::Solver::Options solver_options() {
 
 LocalRoot solve_local_root(std::span<const CurveSample> samples, double target, double p, double slope) {
   RAMIFY_EXPECTS(samples.size() >= 4);
+  silence_ceres();
   double scale = 0;
   for (const CurveSample& sample : samples) scale = std::max(scale, std::abs(sample.p - p));
   std::array<double, 3> parameters{0, slope * scale, 0};

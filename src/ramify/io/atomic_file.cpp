@@ -1,5 +1,6 @@
 #include "ramify/io/atomic_file.hpp"
 
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
@@ -22,15 +23,15 @@ std::string_view remedy(int reason) {
     case ENOSPC:
     case EDQUOT:
     case EFBIG:
-      return "free space or choose another --out";
+      return "free space or choose another place";
     case EACCES:
     case EPERM:
     case EROFS:
-      return "get the right to write there or choose another --out";
+      return "get the right to write there or choose another place";
     case ENOENT:
-      return "create its folder or choose another --out";
+      return "create its folder or choose another place";
     default:
-      return "choose another --out";
+      return "choose another place";
   }
 }
 
@@ -62,6 +63,32 @@ std::FILE* open_temporary(const fs::path& path, fs::path& temporary) {
     if (errno != EEXIST) throw cannot_write(path, errno);
   }
 }
+
+/// Temporary files that are being written, for a signal handler to see; where all places are taken (threads
+/// that save cells are fewer) a file is not seen.
+std::array<std::atomic<const char*>, 64> unfinished{};
+
+class Unfinished {
+ public:
+  explicit Unfinished(const char* path) {
+    for (auto& place : unfinished) {
+      const char* none = nullptr;
+      if (!place.compare_exchange_strong(none, path)) continue;
+      place_ = &place;
+      break;
+    }
+  }
+  ~Unfinished() {
+    if (place_ != nullptr) place_->store(nullptr);
+  }
+  Unfinished(const Unfinished&) = delete;
+  Unfinished& operator=(const Unfinished&) = delete;
+  Unfinished(Unfinished&&) = delete;
+  Unfinished& operator=(Unfinished&&) = delete;
+
+ private:
+  std::atomic<const char*>* place_ = nullptr;
+};
 
 bool must_be_written_through(const fs::path& path) {
   std::error_code ignored;
@@ -97,12 +124,19 @@ void probe(const fs::path& folder) {
 void write_file_atomically(const fs::path& path, std::string_view content) {
   if (must_be_written_through(path)) return write_through(path, content);
   fs::path temporary;
-  int reason = write_and_close(open_temporary(path, temporary), content);
+  std::FILE* file = open_temporary(path, temporary);
+  const Unfinished listed(temporary.c_str());
+  int reason = write_and_close(file, content);
   if (reason == 0 && std::rename(temporary.c_str(), path.c_str()) != 0) reason = errno;
   if (reason == 0) return;
   std::error_code ignored;
   fs::remove(temporary, ignored);
   throw cannot_write(path, reason);
+}
+
+void remove_unfinished_files() noexcept {
+  for (const auto& place : unfinished)
+    if (const char* path = place.load()) ::unlink(path);
 }
 
 void require_writable_folder(const fs::path& path) {

@@ -13,6 +13,10 @@ namespace ramify {
 /// through, not replaced. Throws Error with the system's reason.
 void write_file_atomically(const std::filesystem::path& path, std::string_view content);
 
+/// Removes what files are written to at this moment, under their temporary names. Safe in a signal handler
+/// that ends the process.
+void remove_unfinished_files() noexcept;
+
 /// Creates the folder where it is missing and proves that a file can be written in it, before long work
 /// starts. Throws Error otherwise; a folder created for nothing is removed again.
 void require_writable_folder(const std::filesystem::path& path);

@@ -9,7 +9,6 @@
 
 #include "ramify/core/error.hpp"
 #include "ramify/core/nearest_name.hpp"
-#include "ramify/io/csv_writer.hpp"
 #include "ramify/measure/measure_json.hpp"
 #include "ramify/measure/measure_tables.hpp"
 #include "ramify/measure/norms_table.hpp"
@@ -40,13 +39,25 @@ struct WideTrees {
     if (count++ == 0) first = tree.name;
   }
 
-  std::string said(std::string_view file, std::size_t trees) const {
+  /// @param lacking  what they do not have: "no norms"
+  std::string said(std::string_view file, std::size_t trees, std::string_view lacking) const {
     return fmt::format(
-        "{}: {} of {} trees have forks of three or more, {} first, and no norms, which are those of binary "
-        "trees: resolve them with --resolve ladder or random",
-        file, count, trees, first);
+        "{}: {} of {} trees have forks of three or more, {} first, and {}, which are those of binary trees: "
+        "resolve them with --resolve ladder or random",
+        file, count, trees, first, lacking);
   }
 };
+
+/// What trees with forks of three lack of what is asked for, in words; nothing where they have all.
+std::string lacking_of_wide_trees(const MeasureRequest& request) {
+  if (request.output == Output::norms) return "no norms";
+  if (request.output != Output::summary && request.output != Output::json) return "";
+  std::vector<std::string_view> undefined;
+  const StatisticSet asked_for = request.statistics.value_or(StatisticSet::all());
+  for (const StatisticInfo* info : asked_for.chosen())
+    if (info->needs_binary) undefined.push_back(info->name);
+  return undefined.empty() ? "" : fmt::format("no {}", fmt::join(undefined, ", "));
+}
 
 /// What the files hold, as far as the output asks for it.
 class Measured {
@@ -56,7 +67,7 @@ class Measured {
   void add(const OrderCounts& counts) {
     if (request_.output == Output::nodes || request_.output == Output::levels)
       throw Error(
-          fmt::format("{}: --output {}", counts.name, request_.output == Output::nodes ? "nodes" : "levels"),
+          fmt::format("{}: --table {}", counts.name, request_.output == Output::nodes ? "nodes" : "levels"),
           "a table of counts has no nodes", "take orders, summary or json");
     MeasuredOrders orders = measure_orders(counts);
     if (request_.output == Output::orders) {
@@ -87,22 +98,22 @@ class Measured {
     return orders;
   }
 
-  std::string text() const {
+  std::variant<Table, std::string> content() const {
     switch (request_.output) {
       case Output::orders:
-        return write_csv(orders_table(orders_, request_.leaf_order));
+        return orders_table(orders_, request_.leaf_order);
       case Output::summary:
-        return write_csv(summary_table(all_, request_.leaf_order));
+        return summary_table(all_, request_.leaf_order, request_.statistics);
       case Output::norms:
-        return write_csv(norms_table(all_));
+        return norms_table(all_);
       case Output::json:
         return measurement_json(all_, request_.leaf_order);
       case Output::levels:
-        return write_csv(levels_);
+        return levels_;
       case Output::nodes:
         break;
     }
-    return write_csv(nodes_);
+    return nodes_;
   }
 
  private:
@@ -114,13 +125,17 @@ class Measured {
 
 }  // namespace
 
+bool is_measure_output(std::string_view name) {
+  return std::ranges::any_of(outputs, [&](const auto& output) { return output.first == name; });
+}
+
 MeasureRequest::Output parse_measure_output(const std::string& name) {
   std::vector<std::string> names;
   for (const auto& [known, output] : outputs) {
     if (name == known) return output;
     names.emplace_back(known);
   }
-  throw Error(fmt::format("--output {}", name), "no such table",
+  throw Error(fmt::format("--table {}", name), "no such table",
               fmt::format("{}take {}", did_you_mean(name, names), fmt::join(names, ", ")));
 }
 
@@ -151,9 +166,10 @@ MeasuredFiles measure_files(const MeasureRequest& request, const Cancellation& c
       wide.see(tree);
       measured.add(tree);
     }
-    if (request.output == Output::norms && wide.count > 0) warn(wide.said(file, trees.size()));
+    const std::string lacking = wide.count > 0 ? lacking_of_wide_trees(request) : "";
+    if (!lacking.empty()) warn(wide.said(file, trees.size(), lacking));
   }
-  return {measured.text(), measured.orders()};
+  return {measured.content(), measured.orders()};
 }
 
 }  // namespace ramify

@@ -3,11 +3,15 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <variant>
 #include <vector>
 
 #include "ramify/core/cancellation.hpp"
 #include "ramify/format/read_trees.hpp"
+#include "ramify/io/table.hpp"
 #include "ramify/measure/tree_measurement.hpp"
+#include "ramify/statistic/statistic_set.hpp"
 #include "ramify/tree/resolve_forks.hpp"
 
 namespace ramify {
@@ -24,13 +28,17 @@ struct MeasureRequest {
   std::optional<ForkResolution>
       resolve;  ///< of forks of three and more; left as they are where it is not given
   Output output = Output::orders;
+  std::optional<StatisticSet> statistics;  ///< of the summary; all, and what else there is, where not given
 };
 
 /// What the files hold.
 struct MeasuredFiles {
-  std::string text;                    ///< the table, or the JSON
+  std::variant<Table, std::string> content;  ///< the table, or the text of the JSON
   std::vector<MeasuredOrders> orders;  ///< of every tree and table of counts; empty for nodes and levels
 };
+
+/// There is an output of that name.
+bool is_measure_output(std::string_view name);
 
 /// The output of that name; throws Error for another (nearest names given).
 MeasureRequest::Output parse_measure_output(const std::string& name);

@@ -62,15 +62,18 @@ Table orders_table(const std::vector<MeasuredOrders>& trees, unsigned leaf_order
   return table;
 }
 
-Table summary_table(const std::vector<TreeMeasurement>& trees, unsigned leaf_order) {
-  const bool lengths = any(trees, [](const auto& tree) { return !tree.orders.mean_lengths.empty(); });
-  const bool radii = any(trees, [](const auto& tree) { return !tree.orders.mean_radii.empty(); });
+Table summary_table(const std::vector<TreeMeasurement>& trees, unsigned leaf_order,
+                    const std::optional<StatisticSet>& chosen) {
+  const bool whole = !chosen;  // statistics, and what is no statistic
+  const bool lengths =
+      whole && any(trees, [](const auto& tree) { return !tree.orders.mean_lengths.empty(); });
+  const bool radii = whole && any(trees, [](const auto& tree) { return !tree.orders.mean_radii.empty(); });
   std::size_t largest = 0;
   for (const auto& tree : trees) largest = std::max(largest, tree.orders.streams.size() - 1);
-  const auto columns = StatisticSet::all().columns(largest);
+  const auto columns = chosen.value_or(StatisticSet::all()).columns(largest);
   std::vector<std::string> header{"tree", "leaf_order"};
   for (const auto& column : columns) header.push_back(column.name(leaf_order));
-  header.insert(header.end(), {"nodes_pooled_ratio", "streams_pooled_ratio"});
+  if (whole) header.insert(header.end(), {"nodes_pooled_ratio", "streams_pooled_ratio"});
   if (lengths) std::ranges::copy(ratio_columns("length"), std::back_inserter(header));
   if (radii) {
     std::ranges::copy(ratio_columns("radius"), std::back_inserter(header));
@@ -81,7 +84,8 @@ Table summary_table(const std::vector<TreeMeasurement>& trees, unsigned leaf_ord
     Row row;
     row.text(tree.orders.name).whole(leaf_order);
     for (const auto& column : columns) row.summary(detail::value_of(column, tree, leaf_order));
-    row.summary(pooled_over_orders(tree.orders.nodes)).summary(pooled_over_orders(tree.orders.streams));
+    if (whole)
+      row.summary(pooled_over_orders(tree.orders.nodes)).summary(pooled_over_orders(tree.orders.streams));
     if (lengths) add_ratios(row, tree.orders.mean_lengths);
     if (radii) {
       add_ratios(row, tree.orders.mean_radii);

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "ramify/io/table.hpp"
 #include "ramify/measure/tree_measurement.hpp"
+#include "ramify/statistic/statistic_set.hpp"
 
 namespace ramify {
 
@@ -13,7 +15,9 @@ Table orders_table(const std::vector<MeasuredOrders>& trees, unsigned leaf_order
 
 /// A row for every tree: every statistic of the registry, the pooled ratios, and where any tree has geometry
 /// the ratios of Horton's second law and Murray's exponent. Statistics by orders count them from leaf_order.
-Table summary_table(const std::vector<TreeMeasurement>& trees, unsigned leaf_order);
+/// @param chosen  these statistics alone, and nothing else
+Table summary_table(const std::vector<TreeMeasurement>& trees, unsigned leaf_order,
+                    const std::optional<StatisticSet>& chosen);
 
 /// What add_levels adds to: no rows yet.
 Table level_table();

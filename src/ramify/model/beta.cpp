@@ -46,7 +46,7 @@ SplitCharacter Beta::character() const {
 const ModelInfo& Beta::info() {
   static const ModelInfo info{
       .name = "beta",
-      .parameters = {positive("a"), positive("b")},
+      .parameters = {beta_shape("a"), beta_shape("b")},
       .largest_n = largest_size(),
       .description = "left = floor(nX), X ~ beta(a,b)",
       .source = "A5, A8; Kruszewski 1996, 2.5.2",

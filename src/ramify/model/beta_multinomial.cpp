@@ -47,7 +47,7 @@ RealSplit BetaMultinomial::real_split() const {
 const ModelInfo& BetaMultinomial::info() {
   static const ModelInfo info{
       .name = "beta_multinomial",
-      .parameters = {positive("a"), positive("b")},
+      .parameters = {beta_shape("a"), beta_shape("b")},
       .largest_n = largest_size(),
       .description = "left ~ Bin(n-1,X), X ~ beta(a,b)",
       .source = "A8; Devroye 1986, 1998",

@@ -14,8 +14,11 @@
 namespace ramify {
 namespace {
 
-/// "1", "0.5", "1/3": thirds are not to be read from their digits.
+/// "1", "0.5", "1e9", "1/3": thirds are not to be read from their digits.
 std::string end_text(double end) {
+  if (const double power = std::log10(end);
+      std::isfinite(power) && std::abs(power) >= 6 && power == std::round(power))
+    return fmt::format("1e{}", power);
   const double thirds = end * 3;
   if (thirds == std::floor(thirds) && end != std::floor(end)) return fmt::format("{}/3", thirds);
   return fmt::format("{}", end);

@@ -47,6 +47,15 @@ constexpr Parameter positive(std::string_view name) {
   return {name, {.low = 0}, "give a positive number, such as 10"};
 }
 
+/// Of a beta law. Beyond 1e9 a rejection that compares differences of order 1/shape would decide by rounding
+/// (at 1e16 it is all noise, at 1e100 it never ends), and below 1e-9 X is 0 or 1 in any tree that fits into a
+/// machine: there `split`, dst and `chain` are the laws to take.
+constexpr Parameter beta_shape(std::string_view name) {
+  return {name,
+          {.low = 1e-9, .high = 1e9, .holds_low = true, .holds_high = true},
+          "give a number from 1e-9 to 1e9, such as 10"};
+}
+
 /// Throws Error unless the parameter accepts the value. model is the way it is written, "dst(p)".
 void require_domain(std::string_view model, const Parameter& parameter, double value);
 

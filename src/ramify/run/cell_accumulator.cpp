@@ -22,6 +22,7 @@ ColumnSummary moments_of(const StatisticColumn& column, const Summary& values) {
 }
 
 ColumnSummary summarise(const StatisticColumn& column, const WholeSummary& values) {
+  if (values.count() == 0) return ColumnSummary{column};
   ColumnSummary summary = moments_of(column, values);
   summary.min = static_cast<double>(values.min());
   summary.q05 = static_cast<double>(values.quantile(0.05));
@@ -74,7 +75,7 @@ void CellAccumulator::add(const TreeMeasures& measures) {
   for (std::size_t i = 0; i < row_.size(); ++i) {
     if (columns_[i].statistic->real)
       sums_.reals[slot_[i]].add(row_[i].real);
-    else
+    else if (columns_[i].has(row_[i]))
       sums_.wholes[slot_[i]].add(row_[i].whole);
   }
   if (!counts_orders_) return;

@@ -6,6 +6,7 @@
 #include <map>
 #include <string_view>
 
+#include "ramify/core/error.hpp"
 #include "ramify/core/parallel.hpp"
 #include "ramify/large/finite_means.hpp"
 
@@ -86,7 +87,8 @@ std::vector<CheckedCell> unchecked(std::vector<FinishedCell> cells) {
   return result;
 }
 
-CheckedRun check_against_exact_laws(const Plan& plan, std::vector<FinishedCell> finished, unsigned threads) {
+CheckedRun check_against_exact_laws(const Plan& plan, std::vector<FinishedCell> finished, unsigned threads,
+                                    const Cancellation& cancellation) {
   CheckedRun run{unchecked(std::move(finished))};
   const auto groups = models_of(run.cells);
   std::vector<std::vector<ExactCurve>> curves(groups.size());
@@ -98,8 +100,10 @@ CheckedRun check_against_exact_laws(const Plan& plan, std::vector<FinishedCell> 
     for (const CheckedCell* cell : members) sizes.push_back(cell->result.n);
     const FiniteMeans laws(model, sizes);
     for (CheckedCell* cell : members)
-      for (std::size_t c = 0; c < cell->checks.size(); ++c)
+      for (std::size_t c = 0; c < cell->checks.size(); ++c) {
+        if (cancellation.requested()) throw Interrupted();
         cell->checks[c] = check(cell->result.columns[c], cell->result, laws);
+      }
     curves[group] = curves_of(members, laws);
   });
   for (auto& of_model : curves) std::ranges::move(of_model, std::back_inserter(run.curves));

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "ramify/core/cancellation.hpp"
 #include "ramify/run/plan.hpp"
 #include "ramify/run/run_tables.hpp"
 
@@ -19,8 +20,10 @@ inline constexpr std::size_t highest_drawn_order = 2;
 /// Puts the exact finite-n mean and the z-score beside every sampled mean whose law is in reach
 /// (large/finite_means.hpp). The laws of one model are computed once, models on up to `threads` threads; the
 /// outcome does not depend on that. The laws give the curves too, from the smallest to the largest size of a
-/// model, of every statistic of one column and of the counts to highest_drawn_order.
-CheckedRun check_against_exact_laws(const Plan& plan, std::vector<FinishedCell> finished, unsigned threads);
+/// model, of every statistic of one column and of the counts to highest_drawn_order. Throws Interrupted when
+/// cancelled, which is looked at before each column.
+CheckedRun check_against_exact_laws(const Plan& plan, std::vector<FinishedCell> finished, unsigned threads,
+                                    const Cancellation& cancellation = {});
 
 /// The same without any check: what a stopped run has time for.
 std::vector<CheckedCell> unchecked(std::vector<FinishedCell> cells);

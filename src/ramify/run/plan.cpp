@@ -1,26 +1,11 @@
 #include "ramify/run/plan.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "ramify/sample/graft_rule.hpp"
+#include "ramify/sample/open_levels.hpp"
 
 namespace ramify {
-namespace {
-
-/// Levels that stay open while a tree of this model grows, from the rough growth of its height.
-double open_levels(const Cell& cell) {
-  if (!cell.model.is_split()) return cell.model.grown().expected_nodes(cell.n);  // stored whole
-  const double n = static_cast<double>(cell.n);
-  const SplitFraction fraction = cell.model.character().fraction;
-  if (const double e = depth_exponent(fraction); e > 0) return std::min(n, 6 * std::pow(n, e));
-  const auto* constant = std::get_if<ConstantFraction>(&fraction);
-  const double smallest_share = constant != nullptr ? std::min(constant->p, 1 - constant->p) : 0.1;
-  return std::min(n, std::log(n + 1) / -std::log1p(-smallest_share) + 50);
-}
-
-}  // namespace
-
 Plan make_plan(const RunConfig& config) {
   Plan plan{config.seed, config.statistics, sampling_method(config.statistics, config.graft), {}};
   for (const auto& group : config.groups)
@@ -30,8 +15,7 @@ Plan make_plan(const RunConfig& config) {
 }
 
 WorkEstimate estimate_work(const Plan& plan, unsigned threads) {
-  constexpr double nanoseconds_a_node = 25, nanoseconds_grafted = 60, open_node_bytes = 28,
-                   table_bytes = 140e3, value_bytes = 64;
+  constexpr double nanoseconds_a_node = 25, nanoseconds_grafted = 60, table_bytes = 140e3, value_bytes = 64;
   WorkEstimate work{0, 0, 20};
   for (const auto& cell : plan.cells) {
     const double trees = static_cast<double>(cell.replicates);
@@ -43,7 +27,8 @@ WorkEstimate estimate_work(const Plan& plan, unsigned threads) {
     const double columns =
         static_cast<double>(plan.statistics.columns(cell.model.largest_order(cell.n)).size());
     const double bytes =
-        open_levels(cell) * open_node_bytes * threads + table_bytes + trees * columns * value_bytes;
+        growing_bytes(cell.model, cell.n, plan.method.pass) * std::min<double>(threads, trees) + table_bytes +
+        trees * columns * value_bytes;
     work.megabytes = std::max(work.megabytes, 20 + bytes / 1e6);
   }
   return work;

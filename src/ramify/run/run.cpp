@@ -2,6 +2,8 @@
 
 #include <chrono>
 #include <map>
+#include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -54,6 +56,16 @@ class CellBook {
   std::map<std::size_t, CellResult> done_;
 };
 
+/// All cells beside their exact laws; nothing where the user stopped it meanwhile.
+std::optional<CheckedRun> checked_cells(const Plan& plan, const CellBook& book, unsigned threads,
+                                        const Cancellation& cancellation) {
+  try {
+    return check_against_exact_laws(plan, book.finished(), threads, cancellation);
+  } catch (const Interrupted&) {
+    return std::nullopt;
+  }
+}
+
 nlohmann::ordered_json provenance_of(const RunConfig& config, const RunOptions& options,
                                      const Provenance& process) {
   return {{"program", "ramify"},          {"version", process.version}, {"schema", process.schema},
@@ -82,21 +94,6 @@ void write_plots(const fs::path& folder, const std::vector<std::pair<std::string
   for (const auto& [stem, plot] : plots) write_plot(plot, folder, stem);
 }
 
-/// "<folder>.incomplete", emptied unless a stopped run is to be resumed.
-fs::path open_work_folder(const RunOptions& options) {
-  fs::path work = options.folder.string() + ".incomplete";
-  if (!options.resume) fs::remove_all(work);
-  require_writable_folder(work / "cells");
-  require_writable_folder(work / "plots");
-  return work;
-}
-
-/// Puts the finished folder in the place of an older one.
-void move_into_place(const fs::path& work, const fs::path& folder) {
-  fs::remove_all(folder);
-  fs::rename(work, folder);
-}
-
 }  // namespace
 
 RunOutcome run_experiment(const RunConfig& config, const RunOptions& options,
@@ -104,9 +101,12 @@ RunOutcome run_experiment(const RunConfig& config, const RunOptions& options,
   const Provenance process = current_provenance();
   const auto begin = std::chrono::steady_clock::now();
   const Plan plan = make_plan(config);
-  const fs::path work = open_work_folder(options);
+  const WorkFolder work_folder(options.folder, options.kept);
+  const fs::path& work = work_folder.path();
+  require_writable_folder(work / "cells");
+  require_writable_folder(work / "plots");
   CellBook book(plan, work / "cells");
-  if (options.resume) {
+  if (options.kept == KeptCells::take_over) {
     book.take_over(CellStore(options.folder / "cells", plan));
     book.take_over(CellStore(work / "cells", plan));
   }
@@ -118,13 +118,13 @@ RunOutcome run_experiment(const RunConfig& config, const RunOptions& options,
     };
   std::vector<bool> wanted = book.wanted();
   const bool grown = run_cells(plan, wanted, options.threads, cancellation, observer);
+  auto checked = grown ? checked_cells(plan, book, options.threads, cancellation) : std::nullopt;
 
   // A stopped run has two seconds to put its things away: no laws, no plots.
-  RunOutcome outcome{grown ? check_against_exact_laws(plan, book.finished(), options.threads)
-                           : CheckedRun{unchecked(book.finished())},
-                     grown, work};
+  RunOutcome outcome{checked ? std::move(*checked) : CheckedRun{unchecked(book.finished())},
+                     checked.has_value(), work};
   write_tables(work, outcome.checked.cells);
-  if (grown) {
+  if (outcome.finished) {
     ModelLooks looks = options.looks;
     looks.add(config);
     write_plots(work / "plots", run_plots(outcome.checked, plan, looks));
@@ -137,7 +137,7 @@ RunOutcome run_experiment(const RunConfig& config, const RunOptions& options,
   provenance["status"] = outcome.finished ? "complete" : "interrupted: only the cells listed are complete";
   write_file_atomically(work / "provenance.json", provenance.dump(2) + "\n");
   if (!outcome.finished) return outcome;
-  move_into_place(work, options.folder);
+  work_folder.move_into_place();
   outcome.folder = options.folder;
   return outcome;
 }

@@ -8,14 +8,14 @@
 #include "ramify/core/cancellation.hpp"
 #include "ramify/run/model_looks.hpp"
 #include "ramify/run/run_tables.hpp"
+#include "ramify/run/work_folder.hpp"
 
 namespace ramify {
 
 struct RunOptions {
   std::filesystem::path folder;  ///< of this run; made at the end, in one step, from "<folder>.incomplete"
   unsigned threads = 1;
-  bool resume =
-      false;  ///< take over the cells a stopped run left in "<folder>.incomplete", or all of a finished run
+  KeptCells kept = KeptCells::refuse;  ///< of a stopped run; take_over: those of a finished run too
   std::function<void(double done, double total)> progress;  ///< nodes; may be empty
   ModelLooks looks = {};  ///< of the models of all configs that the command runs; may be empty
 };
@@ -29,7 +29,8 @@ struct RunOutcome {
 /// Runs a config: grows the trees of all its cells, checks the means against exact laws, writes the tables,
 /// plots and provenance.
 ///
-/// Throws Error before any work where the folder cannot be written. A stopped run keeps its complete cells in
+/// Throws Error before any work where the folder cannot be written or is not to be replaced (WorkFolder). A
+/// stopped run keeps its complete cells in
 /// "<folder>.incomplete", with tables of them and a provenance that says so.
 RunOutcome run_experiment(const RunConfig& config, const RunOptions& options,
                           const Cancellation& cancellation);

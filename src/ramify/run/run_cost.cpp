@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "ramify/core/error.hpp"
+#include "ramify/core/memory.hpp"
 #include "ramify/large/finite_means.hpp"
 #include "ramify/law/law_limit.hpp"
 #include "ramify/run/plan.hpp"
@@ -63,6 +65,16 @@ std::string describe_cost(const std::vector<RunConfig>& configs, unsigned thread
          fmt::format(
              "in all {:.3g} nodes, about {:.1f} minutes, {:.0f} MB; exact laws {:.0f} s of one thread\n",
              total.nodes, total.minutes, total.megabytes, law_seconds);
+}
+
+void require_run_memory(const std::vector<RunConfig>& configs, unsigned threads) {
+  for (const auto& config : configs) {
+    const double bytes = 1e6 * estimate_work(make_plan(config), threads).megabytes;
+    if (const double there = usable_memory(); bytes > there)
+      throw Error(fmt::format("{}: it would take about {} of memory", config.path, in_bytes(bytes)),
+                  fmt::format("this process may use {}", in_bytes(there)),
+                  "take smaller n, fewer replicates or --threads 1; --dry-run says what is needed");
+  }
 }
 
 double total_nodes(const std::vector<RunConfig>& configs) {

@@ -105,6 +105,7 @@ inline void record(const ShapeIndices& indices, ShapeIndices::Value, TreeMeasure
   measures.path_length = indices.path_length();
   measures.sackin = indices.sackin();
   measures.colless = indices.colless();
+  measures.is_wide = indices.is_wide();
 }
 inline void record(const LevelProfile& profile, LevelProfile::Value root, TreeMeasures& measures) {
   measures.width = profile.width(root);

@@ -48,6 +48,12 @@ StatisticValue order_by_horton(const TreeMeasures& m, OrderPlace) {
   return real(horton_order(own_ratio(m), static_cast<double>(m.size)));
 }
 
+StatisticValue colless_index(const TreeMeasures& m, OrderPlace) {
+  StatisticValue value = whole(m.colless);
+  if (m.is_wide) value.whole = no_whole;
+  return value;
+}
+
 StatisticValue cherries(const TreeMeasures& m, OrderPlace) {
   return whole(m.streams[1]);
 }
@@ -149,7 +155,7 @@ constexpr StatisticInfo rows[] = {
                  number<&M::sackin>, {NodeSum{ShapeIndices::sackin_toll}}),
     binary(whole_number("colless", "external nodes, nodes with two children",
                         "sum of the differences of left and right (Colless 1982)", "B23", Folded::path_sums,
-                        number<&M::colless>, {NodeSum{ShapeIndices::colless_toll}})),
+                        colless_index, {NodeSum{ShapeIndices::colless_toll}})),
     whole_number("cherries", "two or more external nodes below one, one-child nodes contracted",
                  "streams of order 1, leaf order 0", "B8", Folded::counts, cherries,
                  {CountOfOrder{OrderCount::Of::streams, 1}}),

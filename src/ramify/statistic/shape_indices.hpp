@@ -29,6 +29,7 @@ class ShapeIndices {
     for (const Size below : leaves_below) leaves += below;
     path_length_ += size - 1;
     sackin_ += leaves;
+    if (leaves_below.size() > 2) is_wide_ = true;
     if (leaves_below.size() == 2) {
       const Size left = leaves_below[0], right = leaves_below[1];
       colless_ += left > right ? left - right : right - left;
@@ -46,9 +47,12 @@ class ShapeIndices {
   std::uint64_t path_length() const { return path_length_; }
   std::uint64_t sackin() const { return sackin_; }
   std::uint64_t colless() const { return colless_; }
+  /// A node has three children or more: colless says nothing of such a tree.
+  bool is_wide() const { return is_wide_; }
 
  private:
   std::uint64_t path_length_ = 0, sackin_ = 0, colless_ = 0;
+  bool is_wide_ = false;
 };
 
 }  // namespace ramify

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,6 +17,9 @@ union StatisticValue {
   std::int64_t whole;
   double real;
 };
+
+/// A whole number that a tree does not have, as NaN is a real one.
+inline constexpr std::int64_t no_whole = std::numeric_limits<std::int64_t>::min();
 
 /// A place in a table by orders: (k, 0) of order k, or (high, low) of two orders.
 struct OrderPlace {
@@ -40,7 +44,7 @@ struct StatisticInfo {
   std::string_view convention;  ///< base, what is counted
   std::string_view description;
   std::string_view source;
-  bool real;      ///< a real number, NaN where a tree has none; else a whole number, summed exactly
+  bool real;      ///< a real number, NaN where a tree has none; else a whole one (no_whole), summed exactly
   Columns shape;  ///< one column, or one for each order or pair of orders
   FoldSet folds;  ///< what it is read off; nothing where n says it
   StatisticValue (*value)(const TreeMeasures&, OrderPlace place);
@@ -83,7 +87,12 @@ struct StatisticColumn {
   /// Whole or real, as a real number.
   double real_value(const TreeMeasures& measures) const { return as_real(value(measures)); }
   double as_real(StatisticValue value) const {
-    return statistic->real ? value.real : static_cast<double>(value.whole);
+    if (statistic->real) return value.real;
+    return has(value) ? static_cast<double>(value.whole) : std::numeric_limits<double>::quiet_NaN();
+  }
+  /// The tree has this value.
+  bool has(StatisticValue value) const {
+    return statistic->real ? value.real == value.real : value.whole != no_whole;
   }
 
   friend bool operator==(const StatisticColumn&, const StatisticColumn&) = default;

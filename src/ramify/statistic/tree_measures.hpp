@@ -23,7 +23,8 @@ struct TreeMeasures {
   std::uint32_t external_depth = 0;
   std::uint64_t path_length = 0;
   std::uint64_t sackin = 0;
-  std::uint64_t colless = 0;
+  std::uint64_t colless = 0;  ///< of a tree that is not wide
+  bool is_wide = false;       ///< a node has three children or more; known where colless is
   std::uint64_t width = 0;
   BiOrderCounts bi_orders;
   std::vector<double> toll_sums;  ///< of all_tolls()

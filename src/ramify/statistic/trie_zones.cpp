@@ -33,10 +33,13 @@ class ZoneWalk {
   ZoneWalk(const TrieZoneRule& rule, TrieStrings& strings, const std::function<void(const TrieNode&)>& visit)
       : rule_(rule), strings_(strings), visit_(visit) {}
 
-  TrieZones operator()() {
+  TrieZones operator()(const Cancellation& cancellation) {
+    constexpr std::uint64_t nodes_between_looks = 1 << 16;
+    std::uint64_t nodes = 0;
     const Size n = strings_.count();
     open_.push_back({"", 0, n, n, 0, 0, 0, 0, 0});
     while (!open_.empty()) {
+      if (nodes++ % nodes_between_looks == 0 && cancellation.requested()) throw Interrupted();
       const OpenTrieNode node = std::move(open_.back());
       open_.pop_back();
       look_at(node);
@@ -128,8 +131,9 @@ TrieZone TrieZoneRule::zone(double log_q) const {
 }
 
 TrieZones measure_trie_zones(const TrieZoneRule& rule, TrieStrings& strings,
-                             const std::function<void(const TrieNode&)>& visit) {
-  return ZoneWalk(rule, strings, visit)();
+                             const std::function<void(const TrieNode&)>& visit,
+                             const Cancellation& cancellation) {
+  return ZoneWalk(rule, strings, visit)(cancellation);
 }
 
 double longest_b_bound(const TrieZoneRule& rule) {

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "ramify/core/cancellation.hpp"
 #include "ramify/random/stream.hpp"
 #include "ramify/tree/grammar.hpp"
 
@@ -90,8 +91,10 @@ struct TrieZones {
 
 /// Walks through the trie, and through zones a and b of the infinite one: O(n^(1+epsilon)/p + trie) time.
 /// @param visit  called with every node of the finite trie in preorder; may be empty
+/// Throws Interrupted when cancelled.
 TrieZones measure_trie_zones(const TrieZoneRule& rule, TrieStrings& strings,
-                             const std::function<void(const TrieNode&)>& visit);
+                             const std::function<void(const TrieNode&)>& visit,
+                             const Cancellation& cancellation = {});
 
 /// The proof's bound on longest_b, 2 + 2 epsilon log n / log(1/(1-m)), m = min(p, 1-p).
 double longest_b_bound(const TrieZoneRule& rule);

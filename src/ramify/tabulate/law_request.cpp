@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "ramify/core/error.hpp"
+#include "ramify/core/memory.hpp"
 #include "ramify/core/nearest_name.hpp"
 #include "ramify/large/large_orders.hpp"
 #include "ramify/large/large_reach.hpp"
@@ -17,10 +18,6 @@
 
 namespace ramify {
 namespace {
-
-std::string in_bytes(double bytes) {
-  return bytes < 1e12 ? fmt::format("{:.3g} GB", bytes / 1e9) : fmt::format("{:.3g} TB", bytes / 1e12);
-}
 
 std::string in_hours(double seconds) {
   const double hours = seconds / 3600;
@@ -108,7 +105,7 @@ void require_exact(const LawRequest& request, const LawWork& work, const LawCost
   const auto affordable = [&] { return largest_affordable(request.model, work, limit); };
   if (cost.bytes > limit.bytes)
     throw Error(fmt::format("{} needs about {} of memory", what, in_bytes(cost.bytes)),
-                fmt::format("this machine has {}", in_bytes(limit.bytes)),
+                fmt::format("this process may use {}", in_bytes(limit.bytes)),
                 fmt::format("take --n {} or less", affordable()));
   if (cost.seconds > limit.seconds)
     throw Error(fmt::format("{} takes about {}", what, in_hours(cost.seconds)),

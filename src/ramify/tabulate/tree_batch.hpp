@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,13 @@ struct TreeBatch {
   std::uint64_t seed;
   unsigned threads;
   bool graft;  ///< of tables; trees that are written are always grown whole
+  // NOLINTNEXTLINE(readability-redundant-member-init): -Wextra wants it where an aggregate leaves it out
+  std::function<void(double done, double total)> progress = {};  ///< in trees, by any thread; may be empty
+
+  /// Throws Error where so many trees would not fit into memory, as a table of statistics or as text; says
+  /// what would.
+  void require_memory(const StatisticSet& statistics, std::uint64_t count) const;
+  void require_memory(TreeFormat format, std::uint64_t count) const;
 
   /// model,n,seed,replicate, then the chosen statistics of replicates first..last-1.
   Table table(const StatisticSet& statistics, std::uint64_t first, std::uint64_t last,

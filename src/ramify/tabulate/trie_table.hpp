@@ -18,10 +18,11 @@ struct TrieRequest {
 };
 
 /// A row a trie: the zones of Theorem B.1 and what the proof bounds, with the bounds. Throws Error where p or
-/// epsilon is out of its domain.
-Table trie_zone_table(const TrieRequest& request);
+/// epsilon is out of its domain, Interrupted when cancelled.
+Table trie_zone_table(const TrieRequest& request, const Cancellation& cancellation);
 
 /// A row a node of every trie, in preorder: path, level, strings (the cardinality C), n q, q and zone.
-Table trie_node_table(const TrieRequest& request);
+/// Throws as trie_zone_table does, and where the rows would not fit into memory.
+Table trie_node_table(const TrieRequest& request, const Cancellation& cancellation);
 
 }  // namespace ramify

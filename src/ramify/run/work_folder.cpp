@@ -1,0 +1,94 @@
+#include "ramify/run/work_folder.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <system_error>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include "ramify/core/error.hpp"
+#include "ramify/io/atomic_file.hpp"
+
+namespace ramify {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path work_of(const fs::path& folder) {
+  return folder.string() + ".incomplete";
+}
+
+/// Entries of a folder; 0 where there is none, or none that can be looked into.
+std::ptrdiff_t entries(const fs::path& folder) {
+  std::error_code ignored;
+  return std::distance(fs::directory_iterator(folder, ignored), fs::directory_iterator());
+}
+
+void remove_whole(const fs::path& path) {
+  std::error_code reason;
+  fs::remove_all(path, reason);
+  if (reason)
+    throw Error(fmt::format("cannot remove '{}'", path.string()), reason.message(), "choose another --out");
+}
+
+void empty_folder(const fs::path& folder) {
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored)) remove_whole(entry.path());
+}
+
+}  // namespace
+
+void require_run_folder(const fs::path& folder, KeptCells kept) {
+  std::error_code ignored;
+  for (const fs::path& path : {folder, work_of(folder)})
+    if (fs::exists(path, ignored) && !fs::is_directory(path, ignored))
+      throw Error(fmt::format("'{}' is a file", path.string()), "a run has a folder of its own there",
+                  "choose another --out");
+  if (entries(folder) > 0 && !fs::exists(folder / "provenance.json", ignored))
+    throw Error(fmt::format("'{}' is not the folder of a run", folder.string()),
+                "it has no provenance.json, and a run would replace it", "choose another --out");
+  const std::ptrdiff_t cells = entries(work_of(folder) / "cells");
+  if (cells > 0 && kept == KeptCells::refuse)
+    throw Error(fmt::format("{} cell(s) of a stopped run are kept in '{}'", cells, work_of(folder).string()),
+                "a new run would drop them", "add --resume to go on with them, or --restart to begin anew");
+}
+
+WorkFolder::WorkFolder(fs::path folder, KeptCells kept)
+    : folder_(std::move(folder)), work_(work_of(folder_)) {
+  lock();
+  try {
+    require_run_folder(folder_, kept);
+    if (kept != KeptCells::take_over) empty_folder(work_);
+  } catch (const Error&) {
+    ::close(locked_);
+    throw;
+  }
+}
+
+WorkFolder::~WorkFolder() {
+  ::close(locked_);
+}
+
+void WorkFolder::lock() {
+  require_writable_folder(work_);
+  locked_ = ::open(work_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (locked_ >= 0 && ::flock(locked_, LOCK_EX | LOCK_NB) == 0) return;
+  if (errno != EWOULDBLOCK) return;  // a file system without locks: then nothing is known of other runs
+  ::close(locked_);
+  throw Error(fmt::format("another run works in '{}'", work_.string()), "two would mix their cells",
+              "wait for it, or choose another --out");
+}
+
+void WorkFolder::move_into_place() const {
+  remove_whole(folder_);
+  std::error_code reason;
+  fs::rename(work_, folder_, reason);
+  if (reason)
+    throw Error(fmt::format("cannot rename '{}' to '{}'", work_.string(), folder_.string()), reason.message(),
+                "rename it yourself: it is complete");
+}
+
+}  // namespace ramify
