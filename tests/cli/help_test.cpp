@@ -78,8 +78,9 @@ TEST(Describe, HasEveryVerbAndOption) {
         shell("( " + std::string(RAMIFY_PROGRAM) + " describe man | groff -man -ww -Tutf8 >/dev/null )");
     EXPECT_EQ(set.err, "");
   }
-  if (shell("command -v zsh").code == 0)
+  if (shell("command -v zsh").code == 0) {
     EXPECT_EQ(shell(std::string(RAMIFY_PROGRAM) + " describe zsh | zsh -n").code, 0);
+  }
 }
 
 TEST(Help, VersionIsSaid) {
