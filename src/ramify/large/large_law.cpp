@@ -139,10 +139,8 @@ LargeLaw::LargeLaw(const Model& model, const Recurrence& recurrence, const std::
   };
   const auto fine_enough = [&](const Refined<Solution>& solutions) {
     return std::ranges::all_of(sizes, [&](double n) {
-      const Moments fine = solutions.fine().moments(n), coarse = solutions.coarse().moments(n),
-                    early = solutions.early().moments(n);
-      return Refined<Solution>::is_fine(fine.mean, coarse.mean, early.mean) &&
-             Refined<Solution>::is_fine(fine.variance, coarse.variance, early.variance);
+      const LargeMoments moments = moments_of(solutions, n);
+      return is_good(moments.mean) && is_good(moments.variance);
     });
   };
   solutions_ = std::make_unique<Refined<Solution>>(large_law_table(model), solve, fine_enough);

@@ -42,13 +42,6 @@ class Refined {
     return {fine, std::abs(fine - coarse) / 8 + 3 * std::abs(coarse - early) + rounding * std::abs(fine)};
   }
 
-  /// Whether a finer grid is not needed: the error is small (absolute, or of what is above 1), or nearly so
-  /// and not the grid's.
-  static bool is_fine(double fine, double coarse, double early) {
-    const double wanted = 1e-8 * std::max(1.0, std::abs(fine)), all = combined(fine, coarse, early).error;
-    return all <= wanted || (all <= 10 * wanted && std::abs(fine - coarse) / 8 <= wanted / 10);
-  }
-
   const Solution& fine() const { return *fine_; }
   const Solution& coarse() const { return *coarse_; }
   const Solution& early() const { return *early_; }
@@ -61,5 +54,10 @@ class Refined {
 
   std::unique_ptr<Solution> fine_, coarse_, early_;
 };
+
+/// Errors that need no finer grid: absolute, or of what is above 1.
+inline bool is_good(const Approximation& estimate) {
+  return estimate.error <= 1e-8 * std::max(1.0, std::abs(estimate.value));
+}
 
 }  // namespace ramify
