@@ -9,6 +9,7 @@
 #include "ramify/model/bst.hpp"
 #include "ramify/model/split_tree.hpp"
 #include "ramify/random/stream.hpp"
+#include "ramify/text/remarks.hpp"
 #include "ramify/tree/contract_unary.hpp"
 #include "ramify/tree/store.hpp"
 
@@ -43,7 +44,8 @@ std::string small_trees(Size tips) {
 
 void read_and_measure(benchmark::State& state, const std::string& text) {
   for (auto _ : state) {
-    for (RecordedTree& tree : read_newick(SourceText(text, "bench")))
+    Remarks remarks;
+    for (RecordedTree& tree : read_newick(SourceText(text, "bench"), remarks))
       benchmark::DoNotOptimize(measure_all(contract_unary(std::move(tree))));
   }
   state.SetBytesProcessed(static_cast<std::int64_t>(text.size()) * state.iterations());
