@@ -29,11 +29,17 @@ void parallel_for(std::size_t count, unsigned threads,
   };
   {
     std::vector<std::jthread> team;
-    try {
-      for (unsigned worker = 1; worker < threads; ++worker) team.emplace_back(take_items, worker);
-    } catch (const std::system_error&) {
-      // The system has no more threads: those there are do the work.
-    }
+    // Where the system has no more threads, those that there are do the work.
+    const auto started = [&](unsigned worker) {
+      try {
+        team.emplace_back(take_items, worker);
+        return true;
+      } catch (const std::system_error&) {
+        return false;
+      }
+    };
+    unsigned worker = 1;
+    while (worker < threads && started(worker)) ++worker;
     take_items(0);
   }
   if (failure) std::rethrow_exception(failure);

@@ -17,6 +17,10 @@ constexpr double not_felt = 1e-17;     // beside 1
 constexpr double adds_little = 1e-22;  // of P of the size itself: some thousand places, P of the next level
 constexpr double surely = 1 - 4e-15;   // the weights of a row sum to 1 but for that
 
+std::size_t moved(std::size_t place, std::int32_t offset) {
+  return static_cast<std::size_t>(static_cast<std::ptrdiff_t>(place) + offset);
+}
+
 double dot(const double* values, const std::array<double, Stencil::width>& weights) {
   using Eight = Eigen::Matrix<double, static_cast<int>(Stencil::width), 1>;
   return Eigen::Map<const Eight>(values).dot(Eigen::Map<const Eight>(weights.data()));
@@ -104,7 +108,7 @@ LargeLevels::Row LargeLevels::prepared(const LevelJoin& join, const CompressedRo
 /// Children below the place `first` add nothing.
 double LargeLevels::joined(std::size_t place, std::size_t first, const std::vector<double>& last) const {
   const Row& row = rows_[row_of_[place - grid_->first_new_point()]];
-  const std::size_t begin = place + row.first, skipped = first > begin ? first - begin : 0;
+  const std::size_t begin = moved(place, row.first), skipped = first > begin ? first - begin : 0;
   const auto length = static_cast<Eigen::Index>(row.linear.size() - skipped);
   const Eigen::Map<const Eigen::VectorXd> linear(row.linear.data() + skipped, length),
       values(last.data() + begin + skipped, length);
@@ -114,7 +118,7 @@ double LargeLevels::joined(std::size_t place, std::size_t first, const std::vect
 double LargeLevels::products(const Row& row, std::size_t place, const std::vector<double>& last) const {
   double sum = 0;
   for (const Product& product : row.products) {
-    const std::size_t smaller = place + product.smaller, larger = place + product.larger;
+    const std::size_t smaller = moved(place, product.smaller), larger = moved(place, product.larger);
     if (smaller + Stencil::width <= felt_from_ || larger >= felt_to_) break;
     sum += product.weight * dot(last.data() + smaller, weights_[product.smaller_weights]) *
            dot(last.data() + larger, weights_[product.larger_weights]);
