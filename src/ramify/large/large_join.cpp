@@ -10,7 +10,8 @@
 namespace ramify {
 namespace {
 
-constexpr double hardly = 1e-26;  // an upper tail that is not followed further
+// An upper tail that is not followed further: the balance number's front is pulled by it.
+constexpr double hardly = 1e-100;
 
 }  // namespace
 

@@ -108,7 +108,8 @@ LargeLevels::Row LargeLevels::prepared(const LevelJoin& join, const CompressedRo
 /// Children below the place `first` add nothing.
 double LargeLevels::joined(std::size_t place, std::size_t first, const std::vector<double>& last) const {
   const Row& row = rows_[row_of_[place - grid_->first_new_point()]];
-  const std::size_t begin = moved(place, row.first), skipped = first > begin ? first - begin : 0;
+  const std::size_t begin = moved(place, row.first),
+                    skipped = std::min(first > begin ? first - begin : 0, row.linear.size());
   const auto length = static_cast<Eigen::Index>(row.linear.size() - skipped);
   const Eigen::Map<const Eigen::VectorXd> linear(row.linear.data() + skipped, length),
       values(last.data() + begin + skipped, length);

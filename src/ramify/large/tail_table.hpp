@@ -14,7 +14,7 @@ namespace ramify {
 /// are surely reached, where it is 1, and those that are not, where it is 0.
 class TailTable {
  public:
-  static constexpr std::size_t window = 96;
+  static constexpr std::size_t window = 256;
 
   explicit TailTable(std::size_t places) : spans_(places), tails_(places) {}
 
