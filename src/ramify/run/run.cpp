@@ -94,6 +94,16 @@ void write_plots(const fs::path& folder, const std::vector<std::pair<std::string
   for (const auto& [stem, plot] : plots) write_plot(plot, folder, stem);
 }
 
+/// Into the folder where the outcome lies.
+void write_provenance(nlohmann::ordered_json provenance, double seconds, const Plan& plan,
+                      const RunOutcome& outcome) {
+  provenance["duration_seconds"] = seconds;
+  provenance["sampled"] = sampled(plan);
+  provenance["cells"] = fmt::format("{} of {}", outcome.checked.cells.size(), plan.cells.size());
+  provenance["status"] = outcome.finished ? "complete" : "interrupted: only the cells listed are complete";
+  write_file_atomically(outcome.folder / "provenance.json", provenance.dump(2) + "\n");
+}
+
 }  // namespace
 
 RunOutcome run_experiment(const RunConfig& config, const RunOptions& options,
@@ -129,13 +139,8 @@ RunOutcome run_experiment(const RunConfig& config, const RunOptions& options,
     looks.add(config);
     write_plots(work / "plots", run_plots(outcome.checked, plan, looks));
   }
-  auto provenance = provenance_of(config, options, process);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-  provenance["duration_seconds"] = seconds.count();
-  provenance["sampled"] = sampled(plan);
-  provenance["cells"] = fmt::format("{} of {}", outcome.checked.cells.size(), plan.cells.size());
-  provenance["status"] = outcome.finished ? "complete" : "interrupted: only the cells listed are complete";
-  write_file_atomically(work / "provenance.json", provenance.dump(2) + "\n");
+  write_provenance(provenance_of(config, options, process), seconds.count(), plan, outcome);
   if (!outcome.finished) return outcome;
   work_folder.move_into_place();
   outcome.folder = options.folder;

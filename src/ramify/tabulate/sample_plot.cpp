@@ -16,15 +16,14 @@ namespace {
 /// Bars of equal width; whole values are never cut, so that each bar holds as many of them.
 class Bars {
  public:
-  Bars(const StatisticInfo& statistic, const std::vector<double>& values) : is_whole_(!statistic.real) {
-    const auto [low, high] = std::ranges::minmax(values);
+  Bars(const StatisticInfo& statistic, const std::vector<double>& values)
+      : is_whole_(!statistic.real), low_(std::ranges::min(values)) {
+    const double range = std::ranges::max(values) - low_;
     const double wanted = std::clamp(2 * std::cbrt(static_cast<double>(values.size())), 10.0, most);
-    low_ = low;
-    width_ = (high - low) / wanted;
-    if (is_whole_) width_ = high - low < most ? 1 : std::ceil(width_);
+    width_ = range / wanted;
+    if (is_whole_) width_ = range < most ? 1 : std::ceil(width_);
     if (width_ == 0) width_ = 1;
-    last_ =
-        std::max(0.0, std::ceil((high - low) / width_) - 1);  // the largest real value closes the last bar
+    last_ = std::max(0.0, std::ceil(range / width_) - 1);  // the largest real value closes the last bar
   }
 
   double width() const { return width_; }
