@@ -98,16 +98,11 @@ std::string png_of(const Drawing& drawing, const Cancellation& cancellation) {
 
 }  // namespace
 
-DrawingFile::DrawingFile(std::filesystem::path path) : path_(std::move(path)) {
-  const std::string ending = path_.extension().string();
-  if (ending != ".svg" && ending != ".png")
-    throw Error(fmt::format("--output {}", path_.string()), "drawings are SVG or PNG, as the name ends",
-                "take a name that ends in .svg or .png");
-  format_ = ending == ".svg" ? Format::svg : Format::png;
-}
+DrawingFile::DrawingFile(std::filesystem::path path)
+    : path_(std::move(path)), format_(picture_format(path_, "--output", "drawings")) {}
 
 void DrawingFile::require_room(double nodes) const {
-  const bool is_svg = format_ == Format::svg;
+  const bool is_svg = format_ == PictureFormat::svg;
   const double most = is_svg ? most_svg_nodes : most_png_nodes;
   if (nodes <= most) return;
   throw Error(fmt::format("{:.0f} nodes in '{}'", nodes, path_.string()),
@@ -117,7 +112,7 @@ void DrawingFile::require_room(double nodes) const {
 
 void DrawingFile::write(const Drawing& drawing, const Cancellation& cancellation) const {
   write_file_atomically(
-      path_, format_ == Format::svg ? svg_of(drawing, cancellation) : png_of(drawing, cancellation));
+      path_, format_ == PictureFormat::svg ? svg_of(drawing, cancellation) : png_of(drawing, cancellation));
 }
 
 }  // namespace ramify

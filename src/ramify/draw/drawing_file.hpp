@@ -5,6 +5,7 @@
 
 #include "ramify/core/cancellation.hpp"
 #include "ramify/draw/drawing.hpp"
+#include "ramify/io/picture_format.hpp"
 
 namespace ramify {
 
@@ -22,10 +23,8 @@ class DrawingFile {
   void write(const Drawing& drawing, const Cancellation& cancellation) const;
 
  private:
-  enum class Format { svg, png };
-
   std::filesystem::path path_;
-  Format format_;
+  PictureFormat format_;
 };
 
 }  // namespace ramify

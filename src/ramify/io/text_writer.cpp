@@ -5,17 +5,13 @@
 #include <string_view>
 #include <vector>
 
+#include "ramify/core/utf8.hpp"
+
 namespace ramify {
 namespace {
 
 constexpr std::size_t gap = 2;
 constexpr std::size_t least_last_width = 24;
-
-/// Characters, not bytes.
-std::size_t length(std::string_view text) {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
-}
 
 std::vector<std::string_view> words(std::string_view text) {
   std::vector<std::string_view> found;
@@ -31,7 +27,8 @@ std::vector<std::string_view> words(std::string_view text) {
 std::vector<std::string> wrapped(std::string_view text, std::size_t width) {
   std::vector<std::string> lines(1);
   for (const auto word : words(text)) {
-    if (!lines.back().empty() && length(lines.back()) + 1 + length(word) > width) lines.emplace_back();
+    if (!lines.back().empty() && character_count(lines.back()) + 1 + character_count(word) > width)
+      lines.emplace_back();
     if (!lines.back().empty()) lines.back() += ' ';
     lines.back() += word;
   }
@@ -65,8 +62,8 @@ bool holds_numbers(const Table& table, std::size_t column) {
 std::vector<Column> measure(const Table& table, const std::vector<std::vector<std::string>>& rows) {
   std::vector<Column> columns;
   for (std::size_t c = 0; c < table.columns().size(); ++c) {
-    Column column{length(table.columns()[c]), holds_numbers(table, c)};
-    for (const auto& row : rows) column.width = std::max(column.width, length(row[c]));
+    Column column{character_count(table.columns()[c]), holds_numbers(table, c)};
+    for (const auto& row : rows) column.width = std::max(column.width, character_count(row[c]));
     columns.push_back(column);
   }
   return columns;
@@ -87,14 +84,14 @@ void append_line(std::string& text, std::string line) {
 void append_row(std::string& text, const std::vector<Column>& columns, const std::vector<std::string>& row) {
   std::string line;
   for (std::size_t c = 0; c + 1 < columns.size(); ++c) {
-    const std::string blank(columns[c].width - length(row[c]), ' ');
+    const std::string blank(columns[c].width - character_count(row[c]), ' ');
     line += columns[c].right ? blank + row[c] : row[c] + blank;
     line.append(gap, ' ');
   }
-  const std::size_t indent = length(line);
+  const std::size_t indent = character_count(line);
   const Column& last = columns.back();
   for (const auto& part : wrapped(row.back(), last.width)) {
-    const std::size_t size = length(part);
+    const std::size_t size = character_count(part);
     if (last.right && size < last.width) line.append(last.width - size, ' ');
     append_line(text, line + part);
     line.assign(indent, ' ');

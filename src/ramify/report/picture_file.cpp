@@ -49,27 +49,22 @@ std::string bytes_of(const fs::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-std::string ending_of(const fs::path& path) {
-  const std::string ending = path.extension().string();
-  if (ending == ".svg" || ending == ".png") return ending.substr(1);
-  throw Error(fmt::format("--plot {}", path.string()), "pictures are SVG or PNG, as the name ends",
-              "take a name that ends in .svg or .png");
-}
-
 }  // namespace
 
-PictureFile::PictureFile(fs::path path) : path_(std::move(path)), format_(ending_of(path_)) {}
+PictureFile::PictureFile(fs::path path)
+    : path_(std::move(path)), format_(picture_format(path_, "--plot", "pictures")) {}
 
 void PictureFile::draw(const Plot& plot) const {
   const auto script = detail::plot_script(plot, "plot");
   const std::string what = fmt::format("--plot {}", path_.string());
   if (!script) throw Error(what, "there is no value to draw", "leave it out, or ask for other values");
+  const char* format = format_ == PictureFormat::svg ? "svg" : "png";
   const ScratchFolder scratch;
-  write_file_atomically(scratch.path() / "plot.gp", fmt::format("formats = '{}'\n{}", format_, *script));
+  write_file_atomically(scratch.path() / "plot.gp", fmt::format("formats = '{}'\n{}", format, *script));
   const auto result = detail::run_gnuplot(scratch.path(), "plot.gp");
   if (result.exit_code == detail::not_installed)
     throw Error(what, "gnuplot is not installed", "install gnuplot, or leave --plot out");
-  const std::string picture = bytes_of(scratch.path() / fmt::format("plot.{}", format_));
+  const std::string picture = bytes_of(scratch.path() / fmt::format("plot.{}", format));
   if (result.exit_code != 0 || picture.empty())
     throw Error(what, fmt::format("gnuplot failed: {}", result.output), "leave --plot out");
   write_file_atomically(path_, picture);

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 
+#include "ramify/io/picture_format.hpp"
 #include "ramify/report/plot.hpp"
 
 namespace ramify {
@@ -19,7 +19,7 @@ class PictureFile {
 
  private:
   std::filesystem::path path_;
-  std::string format_;  ///< "svg", "png"
+  PictureFormat format_;
 };
 
 }  // namespace ramify
