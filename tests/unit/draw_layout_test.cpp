@@ -5,6 +5,7 @@
 #include "support/error_of.hpp"
 #include <gtest/gtest.h>
 
+#include "ramify/core/utf8.hpp"
 #include "ramify/draw/label_text.hpp"
 #include "ramify/draw/node_link.hpp"
 #include "ramify/draw/order_pens.hpp"
@@ -131,7 +132,7 @@ TEST(LabelText, IsAlwaysUtf8) {
   EXPECT_EQ(label_text("ch\xeane"), "ch?ne");              // Latin-1
   EXPECT_EQ(label_text("\xc0\xaf\xed\xa0\x80"), "?????");  // too long; a surrogate
   EXPECT_EQ(label_text("\xf0\x9f\x8c\xb3 tree", 3), "🌳 t…");
-  EXPECT_EQ(letters("chêne"), 5u);
+  EXPECT_EQ(character_count("chêne"), 5u);
 }
 
 }  // namespace

@@ -2,12 +2,10 @@
 
 #include <algorithm>
 
+#include "ramify/core/utf8.hpp"
+
 namespace ramify {
 namespace {
-
-bool continues(char c) {
-  return (static_cast<unsigned char>(c) & 0xc0) == 0x80;
-}
 
 /// The bytes of the UTF-8 character that the text begins with; 0 where it begins with none. Forms that are
 /// too long and surrogates are none (RFC 3629).
@@ -20,9 +18,7 @@ std::size_t character_bytes(std::string_view text) {
                             : first < 0xf5 ? 4
                                            : 0;
   if (bytes < 2) return bytes;
-  if (text.size() < bytes ||
-      !std::all_of(text.begin() + 1, text.begin() + static_cast<std::ptrdiff_t>(bytes), continues))
-    return 0;
+  if (text.size() < bytes || std::ranges::any_of(text.substr(1, bytes - 1), begins_character)) return 0;
   const auto second = static_cast<unsigned char>(text[1]);
   const bool is_too_long = (first == 0xe0 && second < 0xa0) || (first == 0xf0 && second < 0x90);
   const bool is_no_character = (first == 0xed && second >= 0xa0) || (first == 0xf4 && second >= 0x90);
@@ -30,10 +26,6 @@ std::size_t character_bytes(std::string_view text) {
 }
 
 }  // namespace
-
-std::size_t letters(std::string_view text) {
-  return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return !continues(c); }));
-}
 
 std::string label_text(std::string_view name, std::size_t longest) {
   std::string text;

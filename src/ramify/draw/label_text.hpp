@@ -10,7 +10,4 @@ namespace ramify {
 /// the longest with an ellipsis.
 std::string label_text(std::string_view name, std::size_t longest = 40);
 
-/// Characters, not bytes, of a UTF-8 text.
-std::size_t letters(std::string_view text);
-
 }  // namespace ramify

@@ -9,6 +9,7 @@
 
 #include "ramify/core/error.hpp"
 #include "ramify/core/nearest_name.hpp"
+#include "ramify/core/utf8.hpp"
 #include "ramify/draw/label_text.hpp"
 #include "ramify/draw/order_pens.hpp"
 #include "ramify/draw/tree_layout.hpp"
@@ -62,7 +63,8 @@ class Diagram {
                   "their sum is no number any more", "add --same-lengths");
     const bool is_named = tips_ <= most_named_tips && !tree.names.empty();
     for (std::size_t node = 0; is_named && node < tree.tree.node_count(); ++node)
-      if (is_tip(node)) longest_name_ = std::max(longest_name_, letters(label_text(tree.names[node])));
+      if (is_tip(node))
+        longest_name_ = std::max(longest_name_, character_count(label_text(tree.names[node])));
     const double least = style.form == Form::upright ? extent_along : least_across;
     across_ = std::clamp(tips_ * row, least, is_named ? most_named_tips * row : most_across);
   }

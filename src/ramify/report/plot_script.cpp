@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "ramify/core/number.hpp"
+#include "ramify/core/utf8.hpp"
 #include "ramify/report/plot_axis.hpp"
 
 namespace ramify::detail {
@@ -26,12 +27,6 @@ constexpr std::array<std::string_view, 8> palette{"#0072B2", "#D55E00", "#009E73
 // Filled circle, square, triangle, diamond, triangle down, pentagon, open circle, open square.
 constexpr std::array<int, 8> shapes{7, 5, 9, 13, 11, 15, 6, 4};
 constexpr std::array<double, 8> shape_sizes{1.0, 0.85, 1.1, 1.15, 1.1, 1.0, 1.0, 0.85};
-
-/// Characters, not bytes.
-std::size_t length(std::string_view text) {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
-}
 
 /// Colour and symbol of a series; beyond the palette a colour comes again with another symbol.
 class Look {
@@ -80,7 +75,7 @@ class Script {
         blocks_(plot.series.size()) {
     for (std::size_t i = 0; i < plot.series.size(); ++i) add_series(plot.series[i], blocks_[i]);
     for (const auto& series : plot.series)
-      if (!series.label.empty()) longest_label_ = std::max(longest_label_, length(series.label));
+      if (!series.label.empty()) longest_label_ = std::max(longest_label_, character_count(series.label));
     legend_entries_ = static_cast<std::size_t>(std::count_if(
         plot.series.begin(), plot.series.end(), [](const auto& series) { return !series.label.empty(); }));
   }

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "ramify/core/utf8.hpp"
 #include "ramify/text/csv_reader.hpp"
 #include "ramify/text/located_error.hpp"
 
@@ -47,11 +48,11 @@ class CsvScanner {
   bool at_line_end() const { return text_.substr(position_).starts_with("\r\n") || peek() == '\n'; }
 
   void advance() {
-    const auto byte = static_cast<unsigned char>(text_[position_++]);
+    const char byte = text_[position_++];
     if (byte == '\n') {
       ++line_;
       column_ = 1;
-    } else if ((byte & 0xc0) != 0x80) {  // the first byte of a character
+    } else if (begins_character(byte)) {
       ++column_;
     }
   }

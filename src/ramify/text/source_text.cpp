@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ramify/core/contract.hpp"
+#include "ramify/core/utf8.hpp"
 #include "ramify/text/located_error.hpp"
 
 namespace ramify {
@@ -14,12 +15,12 @@ SourceText::SourceText(std::string_view text, std::string_view name) : text_(tex
 SourceLocation SourceText::at(std::size_t offset) const {
   SourceLocation place{std::string(name_), 1, 1};
   for (std::size_t i = 0; i < std::min(offset, text_.size()); ++i) {
-    const auto byte = static_cast<unsigned char>(text_[i]);
+    const char byte = text_[i];
     const bool ends_line = byte == '\n' || (byte == '\r' && (i + 1 == text_.size() || text_[i + 1] != '\n'));
     if (ends_line) {
       ++place.line;
       place.column = 1;
-    } else if ((byte & 0xc0) != 0x80) {  // the first byte of a character
+    } else if (begins_character(byte)) {
       ++place.column;
     }
   }
