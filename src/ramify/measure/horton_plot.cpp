@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -11,10 +12,14 @@
 namespace ramify {
 namespace {
 
-/// The least-squares line through the logarithms, at the orders of the points; empty where there are fewer
-/// than two.
-std::vector<PlotPoint> fitted_line(const std::vector<PlotPoint>& points) {
-  if (points.size() < 2) return {};
+/// The least-squares line through the logarithms, at the orders of the points.
+struct FittedLine {
+  std::vector<PlotPoint> points;
+  double slope;  ///< of the natural logarithm, an order
+};
+
+/// Two points or more.
+FittedLine fitted_line(const std::vector<PlotPoint>& points) {
   const auto count = static_cast<double>(points.size());
   double x = 0, y = 0;
   for (const PlotPoint& point : points) {
@@ -23,9 +28,9 @@ std::vector<PlotPoint> fitted_line(const std::vector<PlotPoint>& points) {
   }
   CentredSlope slope(x);
   for (const PlotPoint& point : points) slope.add(point.x, std::log(point.y));
-  std::vector<PlotPoint> line;
+  FittedLine line{{}, slope.value()};
   for (const PlotPoint& point : points)
-    line.push_back({point.x, std::exp(y + slope.value() * (point.x - x))});
+    line.points.push_back({point.x, std::exp(y + line.slope * (point.x - x))});
   return line;
 }
 
@@ -39,12 +44,11 @@ PlotSeries horton_series(const std::string& label, const std::vector<Value>& val
     if (value > 0) series.points.push_back({order, static_cast<double>(value)});
     ++order;
   }
-  series.guide = fitted_line(series.points);
-  if (series.guide.empty()) return series;
-  const double step = std::log(series.guide.back().y / series.guide.front().y) /
-                      (series.guide.back().x - series.guide.front().x);
-  series.label +=
-      fmt::format(": {} {:.4g} an order", step < 0 ? "divided by" : "times", std::exp(std::fabs(step)));
+  if (series.points.size() < 2) return series;
+  FittedLine line = fitted_line(series.points);
+  series.guide = std::move(line.points);
+  series.label += fmt::format(": {} {:.4g} an order", line.slope < 0 ? "divided by" : "times",
+                              std::exp(std::fabs(line.slope)));
   return series;
 }
 
