@@ -6,6 +6,7 @@
 #include <map>
 #include <string_view>
 
+#include "ramify/config/size_grid.hpp"
 #include "ramify/core/error.hpp"
 #include "ramify/core/parallel.hpp"
 #include "ramify/large/finite_means.hpp"
@@ -41,15 +42,10 @@ std::vector<std::vector<CheckedCell*>> models_of(std::vector<CheckedCell>& cells
 /// again with every factor of 2.
 std::vector<Size> sizes_between(Size smallest, Size largest) {
   constexpr double steps = 48;  // per factor of 10
-  std::vector<Size> sizes;
-  const double from = std::log10(static_cast<double>(std::max<Size>(1, smallest)));
-  const double decades = std::log10(static_cast<double>(std::max<Size>(1, largest))) - from;
-  const double points = std::ceil(steps * decades);
-  for (double i = 0; i <= points; ++i) {
-    const Size n = i == points ? largest : static_cast<Size>(std::pow(10, from + decades * i / points));
-    if (sizes.empty() || n > sizes.back()) sizes.push_back(n);
-  }
-  return sizes;
+  const Size from = std::max<Size>(1, smallest);
+  if (largest <= from) return {from};
+  const double decades = std::log10(static_cast<double>(largest) / static_cast<double>(from));
+  return geometric_grid(from, largest, static_cast<std::size_t>(std::ceil(steps * decades)) + 1);
 }
 
 bool is_drawn(const StatisticColumn& column) {
