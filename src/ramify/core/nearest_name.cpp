@@ -54,9 +54,19 @@ std::string did_you_mean(std::string_view name, const std::vector<std::string>& 
   return names.empty() ? std::string() : fmt::format("did you mean {}? ", fmt::join(names, " or "));
 }
 
+namespace {
+
+/// "models", "families"
+std::string plural(std::string_view kind) {
+  return kind.ends_with('y') ? fmt::format("{}ies", kind.substr(0, kind.size() - 1))
+                             : fmt::format("{}s", kind);
+}
+
+}  // namespace
+
 void refuse_name(std::string_view kind, std::string_view name, const std::vector<std::string>& known) {
   throw Error(fmt::format("unknown {} '{}'", kind, name), fmt::format("no {} has that name", kind),
-              fmt::format("{}see: ramify list {}s", did_you_mean(name, known), kind));
+              fmt::format("{}see: ramify list {}", did_you_mean(name, known), plural(kind)));
 }
 
 }  // namespace ramify

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ramify/model/model.hpp"
+
+namespace ramify {
+
+/// How a parameter becomes the number that is searched, in which domains have no ends nearby and likelihoods
+/// are nearly parabolas.
+struct SearchScale {
+  enum class Kind {
+    plain,      ///< x
+    log_above,  ///< log(x - low)
+    logit,      ///< log((x - low) / (high - x))
+  };
+  Kind kind = Kind::plain;
+  double low = 0, high = 1;  ///< the ends that the scale moves to infinity
+
+  double of(double x) const;
+  double back(double searched) const;
+};
+
+/// A free parameter of a family.
+struct FamilyParameter {
+  std::string_view name;  ///< as the model has it: "p"
+  SearchScale scale;
+  double lowest, highest;      ///< where it is searched
+  std::vector<double> starts;  ///< where a search begins: one at least in the basin of every optimum
+};
+
+/// Which parameters grow trees that nobody can tell apart, where left and right mean nothing.
+enum class Mirror {
+  none,
+  reflected,  ///< p and 1-p, on a scale about 1/2
+  exchanged,  ///< (a,b) and (b,a)
+};
+
+/// A family of models that is fitted: a model with free parameters, or one without any, to compare with.
+///
+/// One small file each in this folder; families() lists them.
+struct Family {
+  std::string_view name;  ///< "patricia", "aldous(-1)"
+  const ModelInfo* model;
+  std::vector<double> fixed;  ///< the model's parameters where none is free
+  std::vector<FamilyParameter> parameters;
+  Mirror mirror = Mirror::none;
+  std::string_view alike;  ///< what the data cannot tell, in a sentence; empty where all can be told
+
+  /// Of values of the free parameters. Throws Error where one is out of the model's domain.
+  Model at(std::span<const double> values) const;
+
+  /// Free parameters and what is searched, one for one.
+  std::vector<double> searched(std::span<const double> values) const;
+  std::vector<double> values(std::span<const double> searched) const;
+
+  /// Every start of one parameter with every start of the others, on the scale that is searched.
+  std::vector<std::vector<double>> starts() const;
+};
+
+/// All families, those with parameters first.
+const std::vector<Family>& families();
+
+/// Throws Error for an unknown name, nearest names given.
+const Family& find_family(std::string_view name);
+
+}  // namespace ramify

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ramify/family/family.hpp"
+#include "ramify/optimise/profile.hpp"
+
+namespace ramify {
+
+/// A fitted parameter with its errors.
+struct FittedParameter {
+  std::string_view name;
+  double estimate;
+  double standard_error;  ///< from the curvature of the log-likelihood; NaN where it has none, as at an end
+  double lower, upper;    ///< profile interval, 95 %
+  bool lower_open, upper_open;  ///< the likelihood does not fall so far: nothing bounds the parameter there
+};
+
+/// One family fitted to one observation by maximum likelihood.
+struct FamilyFit {
+  const Family* family;
+  std::vector<FittedParameter> parameters;
+  double log_likelihood;
+  double observations;  ///< what BIC counts: internal nodes
+  bool converged;
+  bool at_end;  ///< the likelihood rises towards the end of what is searched
+  std::vector<std::vector<double>> other_optima;  ///< parameters of lower maxima, the highest first
+  std::string note;
+
+  double aic() const;
+  double bic() const;
+  std::vector<double> estimates() const;
+};
+
+/// Maximises a likelihood over the whole domain of a family: from all its starts, the best optimum with
+/// standard errors and profile intervals, the others listed.
+/// @param minus_log_likelihood  of the searched numbers, in search_box(family)
+FamilyFit fit_family(const Family& family, const Objective& minus_log_likelihood, double observations);
+
+/// The ends of what is searched, on its scale.
+struct SearchBox {
+  Point low, high;
+};
+SearchBox search_box(const Family& family);
+
+}  // namespace ramify
