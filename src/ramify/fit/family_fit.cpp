@@ -33,21 +33,38 @@ double slope_of(const SearchScale& scale, double searched) {
   return (scale.back(searched + h) - scale.back(searched - h)) / (2 * h);
 }
 
-FittedParameter fitted_parameter(const Family& family, const Objective& objective, const Minimum& best,
-                                 std::size_t i) {
-  const FamilyParameter& parameter = family.parameters[i];
+/// Beyond the middle of a scale its mirror image begins.
+ProfileInterval folded(const Family& family, ProfileInterval interval) {
+  if (family.mirror == Mirror::reflected && interval.high.place[0] > 0) interval.high = {{0}, false};
+  return interval;
+}
+
+void add_parameter(const Objective& objective, const Minimum& best, std::size_t i, FamilyFit& fit) {
+  const FamilyParameter& parameter = fit.family->parameters[i];
   const std::vector<double> covariance = best.covariance();
-  const double variance = covariance.empty() ? none : covariance[i * best.at.size() + i];
-  ProfileInterval interval = profile_interval(objective, best, i);
-  // Beyond 1/2 the mirror image begins.
-  if (family.mirror == Mirror::reflected && interval.high.at > 0) interval.high = {0, false};
-  return {parameter.name,
-          parameter.scale.back(best.at[i]),
-          best.at_end ? none : std::sqrt(variance) * slope_of(parameter.scale, best.at[i]),
-          parameter.scale.back(interval.low.at),
-          parameter.scale.back(interval.high.at),
-          interval.low.is_open,
-          interval.high.is_open};
+  const double variance = covariance.empty() || best.at_end ? none : covariance[i * best.at.size() + i];
+  const ProfileInterval interval = folded(*fit.family, profile_interval(objective, best, i));
+  const SearchScale& scale = parameter.scale;
+  fit.parameters.push_back({parameter.name, scale.back(best.at[i]),
+                            std::sqrt(variance) * slope_of(scale, best.at[i]),
+                            scale.back(interval.low.place[i]), scale.back(interval.high.place[i]),
+                            interval.low.is_open, interval.high.is_open});
+  fit.searched_places.push_back(interval.low.place);
+  fit.searched_places.push_back(interval.high.place);
+}
+
+/// The minima that can be told apart, the lowest first.
+std::vector<Minimum> folded_minima(const Family& family, const Objective& objective) {
+  std::vector<Minimum> found;
+  for (Minimum& minimum : minima(objective, folded_starts(family))) {
+    minimum.at = folded(family, minimum.at);
+    const bool is_new = std::ranges::none_of(found, [&](const Minimum& other) {
+      return std::ranges::equal(other.at, minimum.at,
+                                [](double a, double b) { return std::abs(a - b) < 1e-4; });
+    });
+    if (is_new) found.push_back(std::move(minimum));
+  }
+  return found;
 }
 
 }  // namespace
@@ -76,30 +93,36 @@ SearchBox search_box(const Family& family) {
 }
 
 FamilyFit fit_family(const Family& family, const Objective& objective, double observations) {
-  FamilyFit fit{&family, {}, none, observations, true, false, {}, {}};
+  FamilyFit fit{&family, {}, none, observations, true, false, {}, {}, {none, none, 0, 0}, {}, {}};
   if (family.parameters.empty()) {
     fit.log_likelihood = -objective.value({});
     return fit;
   }
-  std::vector<Minimum> found;
-  for (Minimum& minimum : minima(objective, folded_starts(family))) {
-    minimum.at = folded(family, minimum.at);
-    const bool is_new = std::ranges::none_of(found, [&](const Minimum& other) {
-      return std::ranges::equal(other.at, minimum.at,
-                                [](double a, double b) { return std::abs(a - b) < 1e-4; });
-    });
-    if (is_new) found.push_back(std::move(minimum));
+  const std::vector<Minimum> found = folded_minima(family, objective);
+  if (found.empty()) {
+    fit.converged = false;
+    fit.note = "the likelihood has no value where it is searched";
+    return fit;
   }
   const Minimum& best = found.front();
   fit.log_likelihood = -best.value;
   fit.converged = best.converged;
   fit.at_end = best.at_end;
-  for (std::size_t i = 0; i < best.at.size(); ++i)
-    fit.parameters.push_back(fitted_parameter(family, objective, best, i));
-  for (const Minimum& other : found)
-    if (&other != &best && other.converged && !other.at_end && other.value < best.value + relevant)
-      fit.other_optima.push_back(family.values(other.at));
+  fit.searched_places.push_back(best.at);
+  for (std::size_t i = 0; i < best.at.size(); ++i) add_parameter(objective, best, i, fit);
+  for (const Minimum& other : found) {
+    if (&other == &best || !other.converged || other.at_end || other.value > best.value + relevant) continue;
+    fit.other_optima.push_back(family.values(other.at));
+    fit.searched_places.push_back(other.at);
+  }
   return fit;
+}
+
+Point best_place(const Family& family, const Objective& objective, const Point& start) {
+  std::vector<Point> starts = folded_starts(family);
+  starts.push_back(start);
+  const std::vector<Minimum> found = minima(objective, starts);
+  return found.empty() ? start : folded(family, found.front().at);
 }
 
 }  // namespace ramify

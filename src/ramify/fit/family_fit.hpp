@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -19,6 +20,21 @@ struct FittedParameter {
   bool lower_open, upper_open;  ///< the likelihood does not fall so far: nothing bounds the parameter there
 };
 
+/// How far an observation lies from the fitted model.
+struct Goodness {
+  double statistic;     ///< what the observation names: NaN where it has none
+  double p_value;       ///< P(a larger one) under the fitted model
+  std::uint64_t trees;  ///< of the parametric bootstrap that gave it; 0: chi-square, of so many
+  double degrees;       ///< degrees of freedom
+};
+
+/// Estimates of trees of the fitted model, each fitted like the observation.
+struct BootstrapEstimate {
+  double lower, upper;  ///< 2.5 and 97.5 % of them
+  double bias;          ///< their mean minus the estimate
+  double deviation;     ///< their standard deviation
+};
+
 /// One family fitted to one observation by maximum likelihood.
 struct FamilyFit {
   const Family* family;
@@ -28,6 +44,9 @@ struct FamilyFit {
   bool converged;
   bool at_end;  ///< the likelihood rises towards the end of what is searched
   std::vector<std::vector<double>> other_optima;  ///< parameters of lower maxima, the highest first
+  std::vector<Point> searched_places;  ///< the estimate, the intervals' ends and other optima, as searched
+  Goodness goodness;
+  std::vector<BootstrapEstimate> bootstrap;  ///< of every parameter; empty without
   std::string note;
 
   double aic() const;
@@ -39,6 +58,11 @@ struct FamilyFit {
 /// standard errors and profile intervals, the others listed.
 /// @param minus_log_likelihood  of the searched numbers, in search_box(family)
 FamilyFit fit_family(const Family& family, const Objective& minus_log_likelihood, double observations);
+
+/// The searched numbers at which the likelihood is largest, alone: what a bootstrap needs of every tree.
+/// Those of the fit where there are none.
+/// @param start  where to begin: the estimate that the tree was grown with
+Point best_place(const Family& family, const Objective& minus_log_likelihood, const Point& start);
 
 /// The ends of what is searched, on its scale.
 struct SearchBox {

@@ -15,10 +15,14 @@ constexpr Size largest_table = 1 << 15;
 
 }  // namespace
 
-Size large_law_table(const Model& model) {
+double smooth_from(const Model& model) {
   const SplitFraction fraction = model.character().fraction;
   const auto* constant = std::get_if<ConstantFraction>(&fraction);
-  const double needed = constant == nullptr ? 0 : least_scatter / (constant->p * (1 - constant->p));
+  return constant == nullptr ? 0 : least_scatter / (constant->p * (1 - constant->p));
+}
+
+Size large_law_table(const Model& model) {
+  const double needed = smooth_from(model);
   Size table = smallest_table;
   while (static_cast<double>(table) < needed && table < largest_table) table *= 2;
   return 2 * table;

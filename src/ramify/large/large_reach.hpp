@@ -11,6 +11,10 @@ namespace ramify {
 /// sizes alone".
 std::string no_large_laws(const Model& model);
 
+/// The size from which on a model's binomial splits scatter so widely that their rows are smooth; 0 where
+/// they are not binomial. O(1).
+double smooth_from(const Model& model);
+
 /// The sizes 0..n that are computed exactly before the grid begins: 2048; more where a binomial split is
 /// lopsided. The law at half of it is computed too.
 Size large_law_table(const Model& model);

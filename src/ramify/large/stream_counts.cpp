@@ -19,9 +19,9 @@ namespace {
 constexpr Size smallest_seam = 512;  // rows are compressed from as many leaves on
 constexpr double grid_step = 0.08;   // at most log(2)/8
 
-/// A quarter of the table that LargeOrders take, which aim at 1e-9.
+/// Earlier than that of LargeOrders, which aim at 1e-9.
 Size seam_of(const Model& model) {
-  return std::max(smallest_seam, large_law_table(model) / 4);
+  return std::max(smallest_seam, static_cast<Size>(smooth_from(model)));
 }
 
 /// Room for what the residues of n need beside the seam.

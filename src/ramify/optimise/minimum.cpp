@@ -170,6 +170,7 @@ Minimum minimise(const Objective& objective, const Point& start) {
 std::vector<Minimum> minima(const Objective& objective, std::span<const Point> starts) {
   std::vector<Minimum> found;
   for (const Point& start : starts) {
+    if (!std::isfinite(objective.value(start))) continue;
     Minimum minimum = minimise(objective, start);
     const bool is_new = std::ranges::none_of(found, [&](const Minimum& other) {
       double distance = 0;

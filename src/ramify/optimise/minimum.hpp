@@ -28,7 +28,8 @@ struct Minimum {
 /// @param start  in the box, where the function has a value
 Minimum minimise(const Objective& objective, const Point& start);
 
-/// The minima below several starts, the lowest first; those that two starts find are listed once.
+/// The minima below several starts, the lowest first; those that two starts find are listed
+/// once. Starts where the function has no value are passed over.
 std::vector<Minimum> minima(const Objective& objective, std::span<const Point> starts);
 
 }  // namespace ramify

@@ -22,9 +22,7 @@ class Profile {
   }
 
   double operator()(double value) const {
-    if (others_.empty()) return std::min(objective_.value(std::span(&value, 1)) - allowed_, large);
-    const Objective rest = held(objective_, parameter_, value);
-    return std::min(minimise(rest, others_).value - allowed_, large);
+    return std::min(objective_.value(best_at(value)) - allowed_, large);
   }
 
   /// @param side  -1 down, 1 up
@@ -33,8 +31,8 @@ class Profile {
     double inside = best_, step = step_;
     while (true) {
       const double next = side < 0 ? std::max(last, inside - step) : std::min(last, inside + step);
-      if (const double above = (*this)(next); above > 0) return {root(inside, next), false};
-      if (next == last) return {last, true};
+      if ((*this)(next) > 0) return {best_at(root(inside, next)), false};
+      if (next == last) return {best_at(last), true};
       inside = next;
       step *= 1.6;
     }
@@ -42,6 +40,14 @@ class Profile {
 
  private:
   static constexpr double large = 1e30;  // where there is no value
+
+  /// The point with that value at which the function is smallest.
+  Point best_at(double value) const {
+    Point at = others_;
+    if (!at.empty()) at = minimise(held(objective_, parameter_, value), others_).at;
+    at.insert(at.begin() + static_cast<std::ptrdiff_t>(parameter_), value);
+    return at;
+  }
 
   double root(double inside, double outside) const {
     std::uintmax_t steps = 100;

@@ -6,7 +6,7 @@ namespace ramify {
 
 /// An end of an interval.
 struct ProfileEnd {
-  double at;
+  Point place;   ///< the end, and the other parameters that are best there
   bool is_open;  ///< the box ends here, and the function has not risen so far: nothing bounds the parameter
 };
 

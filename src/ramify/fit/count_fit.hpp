@@ -1,0 +1,47 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <utility>
+
+#include "ramify/fit/bootstrap.hpp"
+#include "ramify/fit/count_likelihood.hpp"
+#include "ramify/fit/family_fit.hpp"
+
+namespace ramify {
+
+/// Fits families to the stream counts of trees by their likelihood (count_likelihood.hpp).
+///
+/// Keeps the laws that it computed of a family and n for the next tree of that size. For use by one thread at
+/// a time.
+class CountFitter {
+ public:
+  /// @param threads       decides the time alone
+  /// @param cancellation  must outlive it
+  CountFitter(unsigned threads, const Cancellation& cancellation)
+      : threads_(threads), cancellation_(&cancellation) {}
+
+  /// Nothing where the family can be fitted to counts of this n; else why not.
+  static std::string cannot_fit(const Family& family, Size n);
+
+  /// Throws Interrupted. Cost: 20 to 60 laws for the first tree of a size (stream_counts.hpp), a hundredth of
+  /// it for the next.
+  FamilyFit fit(const Family& family, const ObservedCounts& counts);
+
+  /// Trees of the fitted model at the same n, drawn by their exact law (grafted) and fitted like the counts:
+  /// fills the bootstrap of a fit, and the p-value of its goodness. A tree depends on (seed, model, n,
+  /// replicate) alone. Throws Interrupted. Cost: some 3 ns a node, and 0.3 ms a tree.
+  void bootstrap(FamilyFit& fit, const ObservedCounts& counts, const BootstrapPlan& plan);
+
+  /// The surface on which the family was fitted at n.
+  CountSurface& surface(const Family& family, Size n);
+
+ private:
+  void refine_range(const FamilyFit& fit, const ObservedCounts& counts, CountSurface& surface);
+
+  unsigned threads_;
+  const Cancellation* cancellation_;
+  std::map<std::pair<const Family*, Size>, std::unique_ptr<CountSurface>> surfaces_;
+};
+
+}  // namespace ramify
