@@ -41,8 +41,7 @@ ProfileInterval folded(const Family& family, ProfileInterval interval) {
 
 void add_parameter(const Objective& objective, const Minimum& best, std::size_t i, FamilyFit& fit) {
   const FamilyParameter& parameter = fit.family->parameters[i];
-  const std::vector<double> covariance = best.covariance();
-  const double variance = covariance.empty() || best.at_end ? none : covariance[i * best.at.size() + i];
+  const double variance = fit.covariance.empty() ? none : fit.covariance[i * best.at.size() + i];
   const ProfileInterval interval = folded(*fit.family, profile_interval(objective, best, i));
   const SearchScale& scale = parameter.scale;
   fit.parameters.push_back({parameter.name, scale.back(best.at[i]),
@@ -92,8 +91,12 @@ SearchBox search_box(const Family& family) {
   return box;
 }
 
+FamilyFit without_fit(const Family& family, double observations) {
+  return {&family, {}, none, observations, true, false, {}, {}, {}, {none, none, 0, 0}, {}, {}};
+}
+
 FamilyFit fit_family(const Family& family, const Objective& objective, double observations) {
-  FamilyFit fit{&family, {}, none, observations, true, false, {}, {}, {none, none, 0, 0}, {}, {}};
+  FamilyFit fit = without_fit(family, observations);
   if (family.parameters.empty()) {
     fit.log_likelihood = -objective.value({});
     return fit;
@@ -108,6 +111,7 @@ FamilyFit fit_family(const Family& family, const Objective& objective, double ob
   fit.log_likelihood = -best.value;
   fit.converged = best.converged;
   fit.at_end = best.at_end;
+  if (!best.at_end) fit.covariance = best.covariance();
   fit.searched_places.push_back(best.at);
   for (std::size_t i = 0; i < best.at.size(); ++i) add_parameter(objective, best, i, fit);
   for (const Minimum& other : found) {

@@ -44,6 +44,7 @@ struct FamilyFit {
   bool converged;
   bool at_end;  ///< the likelihood rises towards the end of what is searched
   std::vector<std::vector<double>> other_optima;  ///< parameters of lower maxima, the highest first
+  std::vector<double> covariance;      ///< of the searched numbers, row by row; empty where there is none
   std::vector<Point> searched_places;  ///< the estimate, the intervals' ends and other optima, as searched
   Goodness goodness;
   std::vector<BootstrapEstimate> bootstrap;  ///< of every parameter; empty without
@@ -53,6 +54,9 @@ struct FamilyFit {
   double bic() const;
   std::vector<double> estimates() const;
 };
+
+/// A fit before it is made: no parameters, no likelihood.
+FamilyFit without_fit(const Family& family, double observations);
 
 /// Maximises a likelihood over the whole domain of a family: from all its starts, the best optimum with
 /// standard errors and profile intervals, the others listed.

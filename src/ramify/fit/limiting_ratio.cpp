@@ -1,0 +1,66 @@
+#include "ramify/fit/limiting_ratio.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "ramify/theory/horton_ratio_constant.hpp"
+
+namespace ramify {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double step = 0.02;                     // of a searched number
+constexpr double normal_95 = 1.9599639845400545;  // its 97.5 % point
+
+/// NaN where there is none.
+double log_ratio(const Family& family, const Point& searched) {
+  const auto ratio = horton_ratio_constant(family.at(family.values(searched)));
+  return ratio ? std::log(ratio->value) : none;
+}
+
+/// The standard error of log R, by its slopes.
+double log_error(const FamilyFit& fit, const Point& at) {
+  if (fit.covariance.empty()) return none;
+  Point slopes;
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    Point up = at, down = at;
+    up[i] += step;
+    down[i] -= step;
+    slopes.push_back((log_ratio(*fit.family, up) - log_ratio(*fit.family, down)) / (2 * step));
+  }
+  double variance = 0;
+  for (std::size_t i = 0; i < at.size(); ++i)
+    for (std::size_t j = 0; j < at.size(); ++j)
+      variance += slopes[i] * slopes[j] * fit.covariance[i * at.size() + j];
+  return std::sqrt(variance);
+}
+
+}  // namespace
+
+std::optional<FittedParameter> limiting_ratio(const FamilyFit& fit) {
+  if (fit.parameters.empty()) return std::nullopt;
+  const SplitFraction fraction = fit.family->at(fit.estimates()).character().fraction;
+  if (!std::holds_alternative<BetaFraction>(fraction)) return std::nullopt;
+  const Point at = fit.family->searched(fit.estimates());
+  const double ratio = std::exp(log_ratio(*fit.family, at)), error = log_error(fit, at);
+  if (std::isnan(ratio)) return std::nullopt;
+  FittedParameter found{"horton_ratio",
+                        ratio,
+                        ratio * error,
+                        ratio * std::exp(-normal_95 * error),
+                        ratio * std::exp(normal_95 * error),
+                        false,
+                        false};
+  if (at.size() > 1) return found;
+  const FittedParameter& only = fit.parameters.front();
+  const double one = std::exp(log_ratio(*fit.family, fit.family->searched(std::vector{only.lower}))),
+               other = std::exp(log_ratio(*fit.family, fit.family->searched(std::vector{only.upper})));
+  found.lower = std::min(one, other);
+  found.upper = std::max(one, other);
+  (one < other ? found.lower_open : found.upper_open) = only.lower_open;
+  (one < other ? found.upper_open : found.lower_open) = only.upper_open;
+  return found;
+}
+
+}  // namespace ramify

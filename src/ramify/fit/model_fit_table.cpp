@@ -1,0 +1,203 @@
+#include "ramify/fit/model_fit_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <tuple>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "ramify/fit/limiting_ratio.hpp"
+#include "ramify/io/text_writer.hpp"
+
+namespace ramify {
+namespace {
+
+constexpr int digits = 6;
+
+std::string_view status_of(const FamilyFit& fit) {
+  if (std::isnan(fit.log_likelihood)) return "not_fitted";
+  if (!fit.converged) return "not_converged";
+  if (fit.parameters.empty()) return "no_parameter";
+  return fit.at_end ? "at_end" : "converged";
+}
+
+void add_sentence(std::string& note, std::string_view sentence) {
+  if (sentence.empty()) return;
+  if (!note.empty()) note.append("; ");
+  note.append(sentence);
+}
+
+std::string note_of(const FamilyFit& fit, const FittedDatum& datum) {
+  std::string note = fit.note;
+  if (std::isnan(fit.log_likelihood)) return note;
+  add_sentence(note, fmt::format("from {}", datum.used));
+  add_sentence(note, fit.family->alike);
+  if (fit.at_end) add_sentence(note, "the likelihood rises to the end of what is searched");
+  for (const auto& other : fit.other_optima)
+    add_sentence(note, fmt::format("another optimum at ({:.4g})", fmt::join(other, ",")));
+  return note;
+}
+
+/// Of one parameter, as far as it was found.
+void add_estimate(Row& row, const FamilyFit& fit, const FittedParameter& parameter) {
+  row.text(parameter.name).significant(parameter.estimate, digits);
+  if (!fit.converged) {
+    row.nothing().nothing().nothing();
+    return;
+  }
+  row.significant(parameter.standard_error, digits);
+  for (const auto& [end, is_open, text] : {std::tuple(parameter.lower, parameter.lower_open, "open"),
+                                           std::tuple(parameter.upper, parameter.upper_open, "open")}) {
+    if (is_open)
+      row.text(text);
+    else
+      row.significant(end, digits);
+  }
+}
+
+void add_bootstrap(Row& row, const FamilyFit& fit, std::size_t parameter) {
+  if (fit.goodness.trees == 0 || parameter >= fit.bootstrap.size()) {
+    row.nothing().nothing().nothing().nothing();
+    return;
+  }
+  const BootstrapEstimate& found = fit.bootstrap[parameter];
+  row.whole(fit.goodness.trees).significant(found.lower, digits).significant(found.upper, digits);
+  row.significant(found.bias, digits);
+}
+
+class Rows {
+ public:
+  Rows(const FittedDatum& datum, Table& table) : datum_(datum), table_(table) {}
+
+  void add(const FamilyFit& fit, std::size_t rank) {
+    if (fit.parameters.empty()) {
+      Row row = begun(fit);
+      row.nothing().nothing().nothing().nothing().nothing();
+      finish(row, fit, rank, 0);
+    }
+    for (std::size_t i = 0; i < fit.parameters.size(); ++i) {
+      Row row = begun(fit);
+      add_estimate(row, fit, fit.parameters[i]);
+      finish(row, fit, rank, i);
+    }
+    if (const auto ratio = fit.converged ? limiting_ratio(fit) : std::nullopt) {
+      Row row = begun(fit);
+      add_estimate(row, fit, *ratio);
+      finish(row, fit, rank, fit.parameters.size());
+    }
+  }
+
+ private:
+  Row begun(const FamilyFit& fit) const {
+    Row row;
+    row.text(datum_.data).text(fit.family->name);
+    return row;
+  }
+
+  void finish(Row& row, const FamilyFit& fit, std::size_t rank, std::size_t parameter) {
+    row.text(datum_.observable).whole(datum_.n).whole(rank);
+    row.fixed(fit.log_likelihood, 4).fixed(fit.aic(), 4).fixed(fit.bic(), 4);
+    row.fixed(fit.aic() - datum_.fits.front().aic(), 4);
+    row.significant(fit.goodness.statistic, digits).significant(fit.goodness.p_value, digits);
+    add_bootstrap(row, fit, parameter);
+    table_.add(row.text(status_of(fit)).text(note_of(fit, datum_)));
+  }
+
+  const FittedDatum& datum_;
+  Table& table_;
+};
+
+}  // namespace
+
+Table model_fit_table(std::span<const FittedDatum> data) {
+  Table table({"data",
+               "model",
+               "parameter",
+               "estimate",
+               "standard_error",
+               "lower",
+               "upper",
+               "observable",
+               "n",
+               "rank",
+               "log_likelihood",
+               "aic",
+               "bic",
+               "delta_aic",
+               "misfit",
+               "misfit_p",
+               "bootstrap_trees",
+               "bootstrap_lower",
+               "bootstrap_upper",
+               "bootstrap_bias",
+               "status",
+               "note"});
+  for (const FittedDatum& datum : data) {
+    Rows rows(datum, table);
+    for (std::size_t i = 0; i < datum.fits.size(); ++i) rows.add(datum.fits[i], i + 1);
+  }
+  return table;
+}
+
+namespace {
+
+std::string interval_text(const FittedParameter& parameter) {
+  if (std::isnan(parameter.lower)) return {};
+  return fmt::format("{}{:.4g} .. {:.4g}{}", parameter.lower_open ? "open " : "", parameter.lower,
+                     parameter.upper, parameter.upper_open ? " open" : "");
+}
+
+/// One row a parameter; those of the whole fit stand in its first.
+void add_lines(const FamilyFit& fit, double least_aic, Table& table) {
+  std::vector<FittedParameter> shown = fit.parameters;
+  if (const auto ratio = fit.converged ? limiting_ratio(fit) : std::nullopt) shown.push_back(*ratio);
+  for (std::size_t i = 0; i < std::max<std::size_t>(1, shown.size()); ++i) {
+    Row row;
+    row.text(i == 0 ? fit.family->name : "");
+    if (shown.empty()) {
+      row.nothing().nothing().nothing();
+    } else {
+      row.text(shown[i].name);
+      row.text(std::isnan(shown[i].standard_error)
+                   ? fmt::format("{:.4g}", shown[i].estimate)
+                   : fmt::format("{:.4g} +- {:.2g}", shown[i].estimate, shown[i].standard_error));
+      row.text(fit.converged ? interval_text(shown[i]) : "");
+    }
+    if (i == 0)
+      row.fixed(fit.aic() - least_aic, 1).significant(fit.goodness.p_value, 2).text(status_of(fit));
+    else
+      row.nothing().nothing().nothing();
+    table.add(std::move(row));
+  }
+}
+
+}  // namespace
+
+std::string model_fit_text(std::span<const FittedDatum> data) {
+  std::string text;
+  for (const FittedDatum& datum : data) {
+    text += fmt::format("{}{}, n {}, from {}\n", text.empty() ? "" : "\n", datum.data, datum.n, datum.used);
+    Table table({"model", "parameter", "estimate", "95 % interval", "AIC - best", "misfit p", "status"});
+    for (const FamilyFit& fit : datum.fits) add_lines(fit, datum.fits.front().aic(), table);
+    text += write_text(table);
+    for (const FamilyFit& fit : datum.fits) {
+      std::string note = fit.note;
+      for (const auto& other : fit.other_optima)
+        add_sentence(note, fmt::format("another optimum at ({:.4g})", fmt::join(other, ",")));
+      if (!note.empty()) text += fmt::format("  {}: {}\n", fit.family->name, note);
+    }
+  }
+  return text;
+}
+
+bool any_not_converged(std::span<const FittedDatum> data) {
+  return std::ranges::any_of(data, [](const FittedDatum& datum) {
+    return std::ranges::any_of(
+        datum.fits, [](const FamilyFit& fit) { return !fit.converged && !std::isnan(fit.log_likelihood); });
+  });
+}
+
+}  // namespace ramify

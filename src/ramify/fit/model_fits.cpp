@@ -1,0 +1,102 @@
+#include "ramify/fit/model_fits.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "ramify/core/error.hpp"
+#include "ramify/fit/count_fit.hpp"
+#include "ramify/text/trimmed.hpp"
+
+namespace ramify {
+namespace {
+
+constexpr Size smallest_n = 20;  // below, counts above the tips are too few for a density
+
+/// Counts that cannot be those of streams of a binary tree, or tell too little.
+void require_counts(const OrderCounts& table) {
+  if (table.counts.front() > smallest_n && table.counts.size() >= 3) return;
+  throw Error(fmt::format("{}: {} tips, {} orders", table.name, table.counts.front(), table.counts.size()),
+              fmt::format("a fit to counts takes {} tips and 3 orders at least", smallest_n + 1),
+              "fit the tree itself, from a file of it");
+}
+
+/// A fit that could not be made.
+FamilyFit no_fit(const Family& family, std::string reason, Size n) {
+  FamilyFit fit = without_fit(family, static_cast<double>(n));
+  fit.note = std::move(reason);
+  return fit;
+}
+
+FamilyFit fit_counts(const Family& family, const ObservedCounts& counts, const ModelFitOptions& options,
+                     CountFitter& fitter) {
+  if (const std::string reason = CountFitter::cannot_fit(family, counts.n()); !reason.empty())
+    return no_fit(family, reason, counts.n());
+  const std::size_t used = counts.reading().orders;
+  if (used < family.parameters.size())
+    return no_fit(family,
+                  fmt::format("{} order above the tips has an order below of {} streams or more, it takes {}",
+                              used, ObservedCounts::enough, family.parameters.size()),
+                  counts.n());
+  FamilyFit fit = fitter.fit(family, counts);
+  if (options.bootstrap_trees > 0 && fit.converged)
+    fitter.bootstrap(fit, counts, {options.bootstrap_trees, options.seed});
+  return fit;
+}
+
+/// A name without the folder that its file lies in.
+std::string short_name(const OrderCounts& table, std::string_view file) {
+  return std::filesystem::path(file).stem().string() + table.name.substr(file.size());
+}
+
+}  // namespace
+
+std::vector<const Family*> chosen_families(std::string_view names) {
+  std::vector<const Family*> chosen;
+  if (names == "all") {
+    for (const Family& family : families()) chosen.push_back(&family);
+    return chosen;
+  }
+  while (true) {
+    const std::size_t comma = names.find(',');
+    chosen.push_back(&find_family(trimmed(names.substr(0, comma))));
+    if (comma == std::string_view::npos) return chosen;
+    names.remove_prefix(comma + 1);
+  }
+}
+
+void rank(std::vector<FamilyFit>& fits) {
+  std::ranges::stable_sort(fits, [](const FamilyFit& a, const FamilyFit& b) {
+    if (std::isnan(a.aic()) || std::isnan(b.aic())) return !std::isnan(a.aic()) && std::isnan(b.aic());
+    return a.aic() < b.aic();
+  });
+}
+
+std::vector<FittedDatum> fit_order_counts(std::span<const OrderCounts> tables, std::string_view file,
+                                          const ModelFitOptions& options, const Cancellation& cancellation) {
+  CountFitter fitter(options.threads, cancellation);
+  std::vector<FittedDatum> data;
+  double done = 0;
+  const auto total = static_cast<double>(tables.size() * options.families.size());
+  for (const OrderCounts& table : tables) {
+    require_counts(table);
+    const ObservedCounts counts{table.counts};
+    const std::size_t orders = counts.reading().orders;
+    FittedDatum datum{short_name(table, file),
+                      "orders",
+                      counts.n(),
+                      fmt::format("counts of orders {}..{} and the order", 1, orders),
+                      {}};
+    for (const Family* family : options.families) {
+      datum.fits.push_back(fit_counts(*family, counts, options, fitter));
+      if (options.progress) options.progress(++done, total);
+    }
+    rank(datum.fits);
+    data.push_back(std::move(datum));
+  }
+  return data;
+}
+
+}  // namespace ramify

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ramify/core/cancellation.hpp"
+#include "ramify/fit/family_fit.hpp"
+#include "ramify/format/order_counts.hpp"
+
+namespace ramify {
+
+/// Families that are fitted to data, and how.
+struct ModelFitOptions {
+  std::vector<const Family*> families;
+  std::uint64_t bootstrap_trees = 0;  ///< of every fit; none: no bootstrap
+  std::uint64_t seed = 1996;
+  unsigned threads = 1;  ///< decides the time alone
+  // NOLINTNEXTLINE(readability-redundant-member-init): -Wextra wants it where an aggregate leaves it out
+  std::function<void(double done, double total)> progress = {};  ///< in fits; may be empty
+};
+
+/// One tree or table of counts with all families that were fitted to it.
+struct FittedDatum {
+  std::string data;
+  std::string_view observable;  ///< "orders", "tree"
+  Size n;                       ///< internal nodes
+  std::string used;             ///< of the observation: "orders 1..5 and S"
+  std::vector<FamilyFit> fits;  ///< the best by AIC first
+};
+
+/// The families that `--model` names: one, several between commas, or all. Throws Error, nearest names given.
+std::vector<const Family*> chosen_families(std::string_view names);
+
+/// Fits families to tables of stream counts (count_likelihood.hpp), one datum a tree.
+///
+/// A family that cannot be fitted at a size is listed with a note that says why. Throws Error where a table
+/// is too small for any, Interrupted.
+/// @param file  that the tables come from: what their names begin with
+std::vector<FittedDatum> fit_order_counts(std::span<const OrderCounts> tables, std::string_view file,
+                                          const ModelFitOptions& options, const Cancellation& cancellation);
+
+/// Ranks fits: by AIC, those without a likelihood last.
+void rank(std::vector<FamilyFit>& fits);
+
+}  // namespace ramify
