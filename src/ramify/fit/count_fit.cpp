@@ -16,9 +16,9 @@ namespace {
 /// Points of the bootstrap's range on either side of the estimate, in standard errors.
 constexpr std::array<double, 4> range{-4, -2, 2, 4};
 
-Goodness goodness_of(const CountSurface& surface, const ObservedCounts& counts, const Point& place) {
-  const double misfit = count_misfit(surface, counts, place);
-  const double degrees = static_cast<double>(counts.reading().orders) - static_cast<double>(place.size());
+/// Chi-square, but for the parameters, where the family is right and the counts are Gaussian.
+Goodness goodness_of(double misfit, const ObservedCounts& counts, std::size_t parameters) {
+  const double degrees = static_cast<double>(counts.reading().orders) - static_cast<double>(parameters);
   return {misfit, degrees > 0 ? boost::math::gamma_q(degrees / 2, misfit / 2) : std::nan(""), 0, degrees};
 }
 
@@ -48,9 +48,16 @@ FamilyFit CountFitter::fit(const Family& family, const ObservedCounts& counts) {
     bool refined = false;
     for (const Point& place : fit.searched_places) refined |= surface.refine(place, reading);
     if (refined) continue;
-    fit.goodness = goodness_of(surface, counts, place_of(fit));
+    if (!fit.converged) return fit;
+    fit.goodness = goodness_of(count_misfit(surface, counts, place_of(fit)), counts, fit.parameters.size());
     return fit;
   }
+}
+
+void CountFitter::settle(FamilyFit& fit, const ObservedCounts& counts) {
+  const CountFitness fitness = count_fitness(surface(*fit.family, counts.n()), counts, place_of(fit));
+  fit.log_likelihood = fitness.log_likelihood;
+  fit.goodness = goodness_of(fitness.misfit, counts, fit.parameters.size());
 }
 
 void CountFitter::refine_range(const FamilyFit& fit, const ObservedCounts& counts, CountSurface& surface) {

@@ -17,7 +17,7 @@ struct Gaussian {
   T log_determinant, misfit;
 };
 
-/// Counts are taken in units of the root of their mean.
+/// Counts are taken in units of the root of their mean + 1/12.
 /// @param quantity  a number of the reading, of type T
 template <class T, class Quantity>
 Gaussian<T> gaussian(const ObservedCounts& counts, const CountReading& reading, Quantity quantity) {
@@ -26,12 +26,12 @@ Gaussian<T> gaussian(const ObservedCounts& counts, const CountReading& reading, 
   std::vector<T> whitened;  // L^-1 (M - m)
   for (std::size_t k = 1; k <= reading.orders; ++k) {
     const std::size_t row = CountReading::row(k);
-    const T log_mean = quantity(row), log_diagonal = quantity(row + k);
+    const T log_unit = quantity(row), log_diagonal = quantity(row + k);
     const double count = k < counts.streams.size() ? static_cast<double>(counts.streams[k]) : 0;
-    T rest = count * exp(-log_mean / 2.0) - exp(log_mean / 2.0);
+    T rest = (count + rounding_variance) * exp(-log_unit / 2.0) - exp(log_unit / 2.0);
     for (std::size_t j = 1; j < k; ++j) rest -= quantity(row + j) * whitened[j - 1];
     whitened.push_back(rest * exp(-log_diagonal));
-    found.log_determinant += log_mean + 2.0 * log_diagonal;
+    found.log_determinant += log_unit + 2.0 * log_diagonal;
     found.misfit += whitened.back() * whitened.back();
   }
   return found;
@@ -86,6 +86,15 @@ Objective count_objective(const CountSurface& surface, const ObservedCounts& cou
   };
   const SearchBox box = search_box(surface.family());
   return {evaluate, box.low, box.high};
+}
+
+CountFitness count_fitness(const CountSurface& surface, const ObservedCounts& counts,
+                           std::span<const double> searched) {
+  const CountReading reading = counts.reading();
+  const std::vector<double> values = surface.computed(searched, reading);
+  const auto quantity = [&values](std::size_t q) { return values[q]; };
+  return {-minus_log_likelihood<double>(counts, reading, quantity),
+          gaussian<double>(counts, reading, quantity).misfit};
 }
 
 double count_misfit(const CountSurface& surface, const ObservedCounts& counts,

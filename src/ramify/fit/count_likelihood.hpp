@@ -22,16 +22,25 @@ struct ObservedCounts {
 };
 
 /// Minus the log of the likelihood of stream counts, given n: the Gaussian density of M_1, ..., M_k with the
-/// family's means and covariances at n,
+/// family's means m and covariances Sigma at n (1/12 on its diagonal, rounding_variance),
 ///
 ///     k/2 log 2 pi + 1/2 log det Sigma + 1/2 (M - m)' Sigma^-1 (M - m),
 ///
-/// and minus log P(S = s) for the orders above, too sparse for a density. M_0 = n+1 carries nothing.
+/// and minus log(P(S = s) + 1e-5) for the orders above, too sparse for a density. M_0 = n+1 carries nothing.
 /// @param surface  of n = counts.n(); must outlive the objective
 Objective count_objective(const CountSurface& surface, const ObservedCounts& counts);
 
-/// (M - m)' Sigma^-1 (M - m) over the orders of the reading: chi-square with as many degrees of freedom, but
-/// for the parameters, where the family is right and counts are Gaussian.
+/// What the likelihood says at one point.
+struct CountFitness {
+  double log_likelihood;
+  double misfit;  ///< (M - m)' Sigma^-1 (M - m) over the orders of the reading
+};
+
+/// By the law at that point itself: nothing is read between others. Throws Interrupted. Cost: a law.
+CountFitness count_fitness(const CountSurface& surface, const ObservedCounts& counts,
+                           std::span<const double> searched);
+
+/// The misfit alone, as the surface has it; NaN outside its chart.
 double count_misfit(const CountSurface& surface, const ObservedCounts& counts,
                     std::span<const double> searched);
 

@@ -17,9 +17,9 @@ namespace {
 constexpr std::size_t degree = 8;         // of one parameter
 constexpr std::size_t degree_of_two = 4;  // of each of two
 constexpr double least_mean = 1e-12;      // below, a count is taken to be that
-constexpr double least_probability = 1e-14;
-constexpr double least_spread = 1e-6;  // of a count that follows from the others, beside the root of its mean
-constexpr double dense = 5;            // a mean count that a Gaussian likelihood may be asked about
+constexpr double least_rest = 1e-9;       // of a variance, where rounding leaves none
+constexpr double any_order = 1e-5;  // added to P(S = s), whose tails fall too fast to be read between places
+constexpr double dense = 5;         // a mean count that a Gaussian likelihood may be asked about
 constexpr double part_of_error = 0.05;  // what a reading may err by, of one tree's standard deviation
 constexpr double narrowest = 1e-3;      // a panel that is not halved again
 
@@ -151,21 +151,22 @@ std::vector<double> CountSurface::quantities(const Point& place) const {
   const StreamCounts counts = stream_counts(family_->at(values), n_, *cancellation_);
   std::vector<double> found;
   std::vector<std::vector<double>> factor;  // Cholesky's, row by row
-  const auto mean = [&counts](std::size_t k) { return std::max(counts.means[k], least_mean); };
+  const auto unit = [&counts](std::size_t k) { return std::max(0.0, counts.means[k]) + rounding_variance; };
   for (std::size_t k = 1; k <= orders_; ++k) {
-    found.push_back(std::log(mean(k)));
+    found.push_back(std::log(unit(k)));
     auto& row = factor.emplace_back();
     for (std::size_t j = 1; j <= k; ++j) {
-      double rest = counts.covariance(j, k) / std::sqrt(mean(j) * mean(k));
+      double rest = counts.covariance(j, k);
+      if (j == k) rest = std::max(0.0, rest) + rounding_variance;
+      rest /= std::sqrt(unit(j) * unit(k));
       for (std::size_t i = 0; i + 1 < j; ++i) rest -= row[i] * factor[j - 1][i];
-      row.push_back(j < k ? rest / factor[j - 1].back()
-                          : std::sqrt(std::max(rest, least_spread * least_spread)));
+      row.push_back(j < k ? rest / factor[j - 1].back() : std::sqrt(std::max(rest, least_rest)));
     }
     found.insert(found.end(), row.begin(), row.end() - 1);
     found.push_back(std::log(row.back()));
   }
   for (std::size_t s = 0; s <= orders_; ++s)
-    found.push_back(std::log(std::max(counts.order_tail[s] - counts.order_tail[s + 1], least_probability)));
+    found.push_back(std::log(std::max(counts.order_tail[s] - counts.order_tail[s + 1], 0.0) + any_order));
   return found;
 }
 
@@ -258,6 +259,14 @@ bool CountSurface::read(std::span<const double> searched, const CountReading& re
     }
   }
   return true;
+}
+
+std::vector<double> CountSurface::computed(std::span<const double> searched,
+                                           const CountReading& reading) const {
+  const std::vector<double> all = quantities(place_of(searched).at);
+  std::vector<double> found;
+  for (std::size_t q = 0; q < reading.size(); ++q) found.push_back(all[index_of(q, reading)]);
+  return found;
 }
 
 /// Of a reading's quantities along each dimension, in units of what is allowed.

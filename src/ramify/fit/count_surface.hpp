@@ -11,16 +11,20 @@
 
 namespace ramify {
 
+/// The variance of a number's distance from the nearest whole one: what a density of whole numbers is widened
+/// by, so that an order whose count hardly varies does not decide alone.
+inline constexpr double rounding_variance = 1.0 / 12;
+
 /// Which of a surface's quantities are read: stream counts of orders 1..orders, leaf order 0, and P(S = top).
 struct CountReading {
   std::size_t orders;
   std::size_t top;
 
-  /// Of row k, k = 1..orders: log E M_k, then row k of Cholesky's factor L of the counts' covariances, each
-  /// count in units of the root of its mean: L_kj, j = 1..k-1, and log L_kk. Whatever is read between places,
-  /// L L' is positive definite.
+  /// Of row k, k = 1..orders: log(E M_k + 1/12), then row k of Cholesky's factor L of the counts' covariances
+  /// with 1/12 on the diagonal, each count in units of the root of its mean + 1/12: L_kj, j = 1..k-1, and log
+  /// L_kk. Whatever is read between places, L L' is positive definite.
   static std::size_t row(std::size_t k) { return (k - 1) * (k + 2) / 2; }
-  /// log P(S = top) comes last.
+  /// log(P(S = top) + 1e-5) comes last: an order that hardly occurs costs 11.5 and no more.
   std::size_t size() const { return row(orders + 1) + 1; }
 };
 
@@ -48,6 +52,9 @@ class CountSurface {
   /// outside the chart. values: size(); slopes: parameters * size(), parameter by parameter.
   bool read(std::span<const double> searched, const CountReading& reading, std::vector<double>& values,
             std::vector<double>& slopes) const;
+
+  /// The quantities there from a law of their own, read between nothing. Throws Interrupted. Cost: a law.
+  std::vector<double> computed(std::span<const double> searched, const CountReading& reading) const;
 
   /// Halves the panel around a point until a reading there is accurate. True where it had to.
   /// Throws Interrupted. Cost: 8 laws a halving of one parameter, some 40 of two.

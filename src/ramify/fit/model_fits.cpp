@@ -41,6 +41,7 @@ FamilyFit fit_counts(const Family& family, const ObservedCounts& counts, const M
                               used, ObservedCounts::enough, family.parameters.size()),
                   counts.n());
   FamilyFit fit = fitter.fit(family, counts);
+  if (fit.converged) fitter.settle(fit, counts);
   if (options.bootstrap_trees > 0 && fit.converged)
     fitter.bootstrap(fit, counts, {options.bootstrap_trees, options.seed});
   return fit;

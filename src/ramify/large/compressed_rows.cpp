@@ -264,6 +264,8 @@ CompressedRow CompressedRows::binomial_row(const BinomialSplit& split, double le
   const double trials = leaves - split.fewer;
   const double step = std::sqrt(trials * split.p * (1 - split.p)) / 2;
   for (int m = -reach; m <= reach; ++m) {
+    // What is as far off weighs less than e^-18, where rows begin as early as those of stream_counts.
+    if (std::min(trials * split.p + m * step, trials * (1 - split.p) - m * step) < 1) continue;
     const double w = step * std::exp(BinomialSplit::log_weight(trials, split.p, m * step));
     const double left = trials * split.p + m * step + split.at_least;
     const double smaller = std::min(left, leaves - left);
@@ -313,7 +315,7 @@ CompressedRow CompressedRows::row(double leaves, std::optional<Residue> residue)
 }
 
 CompressedRow CompressedRows::row_in_full(double leaves, std::optional<Residue> residue) const {
-  RAMIFY_EXPECTS(leaves >= 4 * ends_of_residues);
+  RAMIFY_EXPECTS(leaves >= 4 * (residue ? ends_of_residues : ends));
   if (const auto* binomial = std::get_if<BinomialSplit>(&split_)) {
     const double deviation = std::sqrt(mean_ * (1 - mean_) * leaves);
     const bool ties = leaves <= ties_to && std::abs(mean_ - 0.5) * leaves < 14 * deviation;

@@ -62,7 +62,7 @@ class CompressedRows {
   CompressedRows(const Model& model, double step, double largest_leaves,
                  LeftOut left_out = LeftOut::below_1e_20);
 
-  /// Of 512 leaves or more. O(places), some 0.1 us each.
+  /// Of 192 leaves or more, with a residue of 512. O(places), some 0.1 us each.
   CompressedRow row(double leaves, std::optional<Residue> residue = std::nullopt) const;
 
   /// Whether rows of this many leaves and more are the same in shares, to rounding: no place of them is

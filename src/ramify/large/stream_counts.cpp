@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -10,18 +11,31 @@
 #include "ramify/large/large_order_moments.hpp"
 #include "ramify/large/large_orders.hpp"
 #include "ramify/large/large_reach.hpp"
-#include "ramify/law/build_law.hpp"
+#include "ramify/law/order_moments.hpp"
+#include "ramify/law/split_rows.hpp"
 #include "ramify/statistic/strahler.hpp"
 
 namespace ramify {
 namespace {
 
-constexpr Size smallest_seam = 512;  // rows are compressed from as many leaves on
-constexpr double grid_step = 0.08;   // at most log(2)/8
+constexpr Size smallest_seam = 256;  // rows are compressed from 192 leaves on
+constexpr double wide_step = 0.08;   // of the grid, at most log(2)/8
+constexpr double narrow_step = 0.04;
+constexpr double concentrated = 0.05;  // a deviation of split fractions below which laws swing with log n
 
-/// Earlier than that of LargeOrders, which aim at 1e-9.
+/// Earlier than that of LargeOrders, which aim at 1e-9: six standard deviations of a binomial split, not ten,
+/// need lie within the tree.
 Size seam_of(const Model& model) {
-  return std::max(smallest_seam, static_cast<Size>(smooth_from(model)));
+  return std::max(smallest_seam, static_cast<Size>(0.4 * smooth_from(model)));
+}
+
+double step_of(const Model& model) {
+  const SplitFraction fraction = model.character().fraction;
+  if (std::holds_alternative<ConstantFraction>(fraction)) return narrow_step;
+  const auto* beta = std::get_if<BetaFraction>(&fraction);
+  if (beta == nullptr || !beta->is_density()) return wide_step;
+  const double sum = beta->a + beta->b, variance = beta->a * beta->b / (sum * sum * (sum + 1));
+  return variance < concentrated * concentrated ? narrow_step : wide_step;
 }
 
 /// Room for what the residues of n need beside the seam.
@@ -47,13 +61,39 @@ StreamCounts collected(Size n, MeanOf mean_of, CovarianceOf covariance_of, TailO
   return counts;
 }
 
+/// OrderMeans and OrderMoments to n: two passes over the same rows.
+struct ExactOrders {
+  ExactOrders(const Model& model, Size n, const Cancellation& cancellation) : means(n) {
+    StoredSplitRows rows(model);
+    extend(means, rows, n, cancellation);
+    moments.emplace(means, n);
+    extend(*moments, rows, n, cancellation);
+  }
+  ExactOrders(const ExactOrders&) = delete;  // the moments refer to the means
+  ExactOrders& operator=(const ExactOrders&) = delete;
+  ExactOrders(ExactOrders&&) = delete;
+  ExactOrders& operator=(ExactOrders&&) = delete;
+  ~ExactOrders() = default;
+
+  OrderMeans means;
+  std::optional<OrderMoments> moments;
+
+ private:
+  template <class Law>
+  static void extend(Law& law, StoredSplitRows& rows, Size n, const Cancellation& cancellation) {
+    while (law.sizes() <= n) {
+      if (cancellation.requested()) throw Interrupted();
+      law.extend(rows.row(law.sizes()));
+    }
+  }
+};
+
 StreamCounts exact_counts(const Model& model, Size n, const Cancellation& cancellation) {
-  const OrderMeans means = build_law(model, n, OrderMeans(n), cancellation);
-  const OrderMoments moments = build_law(model, n, OrderMoments(means, n), cancellation);
-  const auto order_law = means.strahler().pmf(n);
+  const ExactOrders exact(model, n, cancellation);
+  const auto order_law = exact.means.strahler().pmf(n);
   return collected(
-      n, [&](OrderCount count) { return means.mean(n, count); },
-      [&](OrderCount a, OrderCount b) { return moments.covariance(n, a, b); },
+      n, [&](OrderCount count) { return exact.means.mean(n, count); },
+      [&](OrderCount a, OrderCount b) { return exact.moments->covariance(n, a, b); },
       [&](std::size_t s) {
         double above = 0;
         for (std::size_t order = order_law.size(); order-- > s;) above += order_law[order];
@@ -62,15 +102,13 @@ StreamCounts exact_counts(const Model& model, Size n, const Cancellation& cancel
 }
 
 StreamCounts grid_counts(const Model& model, Size n, const Cancellation& cancellation) {
-  const Size seam = seam_of(model);
-  const double leaves = static_cast<double>(n) + 1;
-  const SizeGrid grid(seam, grid_step, leaves);
-  const CompressedRows rows(model, grid_step, leaves);
-  const OrderMeans table = build_law(model, exact_to(model), OrderMeans(exact_to(model)), cancellation);
-  const OrderMoments table_moments = build_law(model, seam, OrderMoments(table, seam), cancellation);
-  const LargeJoin strahler(*Strahler::recurrence.rule, grid, rows, table.strahler(), cancellation);
-  const LargeOrderMeans means(grid, rows, table, strahler, cancellation);
-  const LargeOrderMoments moments(grid, rows, table_moments, strahler, means, cancellation);
+  const double leaves = static_cast<double>(n) + 1, step = step_of(model);
+  const SizeGrid grid(seam_of(model), step, leaves);
+  const CompressedRows rows(model, step, leaves);
+  const ExactOrders exact(model, exact_to(model), cancellation);
+  const LargeJoin strahler(*Strahler::recurrence.rule, grid, rows, exact.means.strahler(), cancellation);
+  const LargeOrderMeans means(grid, rows, exact.means, strahler, cancellation);
+  const LargeOrderMoments moments(grid, rows, *exact.moments, strahler, means, cancellation);
   const auto streams = means.streams(leaves);
   const auto tail = strahler.tail(static_cast<double>(n));
   return collected(

@@ -24,10 +24,10 @@ std::string no_stream_counts(const Model& model, Size n);
 /// E M_k, Cov(M_j, M_k) and the law of S of a split model at n: what a fit asks for at parameter after
 /// parameter.
 ///
-/// Exact to 528; beyond on one grid of sizes that begins at 512 (later for a lopsided binomial split),
+/// Exact to 272; beyond on one grid of sizes that begins at 256 (later for a lopsided binomial split),
 /// without the second and third solution by which LargeOrders tells its errors: means are right to 2e-3
 /// standard deviations of one tree, covariances of M_j and M_k to 2e-3 of their standard deviations' product,
-/// as tests/exact/stream_counts_test.cpp holds against LargeOrders. Cost: 0.03 s to n = 528, 0.05 to 0.3 s to
+/// as tests/exact/stream_counts_test.cpp holds against LargeOrders. Cost: 0.01 s to n = 272, 0.02 to 0.2 s to
 /// 10^9.
 ///
 /// Throws Error where no_stream_counts gives a reason, Interrupted.

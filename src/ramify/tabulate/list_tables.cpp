@@ -2,6 +2,10 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "ramify/family/family.hpp"
 #include "ramify/model/preset.hpp"
 #include "ramify/model/registry.hpp"
 #include "ramify/sample/sampling_method.hpp"
@@ -48,6 +52,24 @@ Table model_table() {
   for (const auto& info : models())
     table.add(Row().texts({info.signature(), info.n_counts, info.domain(), info.description,
                            info.is_split ? "exact laws; grafted" : "every node grown", info.source}));
+  return table;
+}
+
+Table family_table() {
+  Table table({"name", "parameters", "searched", "description", "alike"});
+  for (const Family& family : families()) {
+    std::vector<std::string_view> names;
+    std::vector<std::string> ranges;
+    for (const FamilyParameter& parameter : family.parameters) {
+      names.push_back(parameter.name);
+      ranges.push_back(fmt::format("{} <= {} <= {}", parameter.lowest, parameter.name, parameter.highest));
+    }
+    table.add(Row()
+                  .text(family.name)
+                  .text(fmt::format("{}", fmt::join(names, ",")))
+                  .text(fmt::format("{}", fmt::join(ranges, ", ")))
+                  .texts({family.model->description, family.alike}));
+  }
   return table;
 }
 

@@ -17,6 +17,9 @@ Table statistic_table();
 /// share a column.
 Table coverage_table();
 
+/// name,parameters,searched,observed,alike of every family of models that `ramify fit` fits.
+Table family_table();
+
 /// name,model,n,description,source of every preset.
 Table preset_table();
 

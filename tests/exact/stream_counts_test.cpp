@@ -1,0 +1,79 @@
+// The laws of stream counts that fits ask for, on one coarse grid, against the exact ones and the fine ones.
+#include "ramify/large/stream_counts.hpp"
+
+#include <cmath>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "ramify/large/large_orders.hpp"
+#include "ramify/law/build_law.hpp"
+#include "ramify/law/order_moments.hpp"
+
+namespace ramify {
+namespace {
+
+OrderCount streams_of_order(std::size_t k) {
+  return {OrderCount::Of::streams, k};
+}
+
+class StreamCountsOf : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(StreamCountsOf, AreTheExactOnesToTwoHundredAndTheirErrorBeyond) {
+  const Model model = Model::parse(GetParam());
+  for (const Size n : {Size{40}, Size{200}, Size{700}}) {
+    const OrderMeans means = build_law(model, n, OrderMeans(n));
+    const OrderMoments moments = build_law(model, n, OrderMoments(means, n));
+    const StreamCounts counts = stream_counts(model, n);
+    for (std::size_t k = 1; k < counts.orders(); ++k) {
+      if (means.mean(n, streams_of_order(k)) < 1) break;
+      const double deviation = std::sqrt(moments.variance(n, streams_of_order(k)));
+      if (deviation < 1e-3) continue;
+      const double allowed = n <= 200 ? 1e-9 : 2e-3;
+      EXPECT_NEAR(counts.means[k], means.mean(n, streams_of_order(k)), allowed * deviation) << n << ' ' << k;
+      EXPECT_NEAR(counts.covariance(k, k) / (deviation * deviation), 1, n <= 200 ? 1e-9 : 1e-2)
+          << n << ' ' << k;
+    }
+  }
+}
+
+TEST_P(StreamCountsOf, AreThoseOfLargeOrders) {
+  const Model model = Model::parse(GetParam());
+  const double n = 1e5;
+  const StreamCounts counts = stream_counts(model, static_cast<Size>(n));
+  LargeOrders large(model, {n});
+  const auto means = large.means(n, OrderCount::Of::streams);
+  const auto deviation = [&](std::size_t k) {
+    return std::sqrt(large.variance(n, streams_of_order(k)).value);
+  };
+  for (std::size_t k = 1; k < means.size() && means[k].value > 15; ++k) {
+    EXPECT_NEAR(counts.means[k], means[k].value, 2e-2 * deviation(k)) << k;
+    for (std::size_t j = 1; j <= k; ++j)
+      EXPECT_NEAR(counts.covariance(j, k),
+                  large.covariance(n, streams_of_order(j), streams_of_order(k)).value,
+                  3e-2 * deviation(j) * deviation(k))
+          << j << ' ' << k;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, StreamCountsOf,
+                         ::testing::Values("bst", "catalan", "patricia(0.5)", "patricia(0.295)",
+                                           "patricia(0.05)", "dst(0.12)", "beta(0.3,3)", "beta(10,80)",
+                                           "beta_multinomial(2,2)", "aldous(-1.8)", "aldous(100)",
+                                           "ford(0.9)"),
+                         [](const auto& of) {
+                           std::string name = of.param;
+                           std::erase_if(
+                               name, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; });
+                           return name;
+                         });
+
+TEST(StreamCountsLaw, WhereThereIsNoneTheReasonIsGiven) {
+  EXPECT_TRUE(no_stream_counts(Model::parse("bst"), 1000).empty());
+  EXPECT_FALSE(no_stream_counts(Model::parse("ternary(0.2)"), 100).empty());
+  EXPECT_FALSE(no_stream_counts(Model::parse("split(0.3)"), 100000).empty());
+  EXPECT_TRUE(no_stream_counts(Model::parse("split(0.3)"), 100).empty());
+}
+
+}  // namespace
+}  // namespace ramify
