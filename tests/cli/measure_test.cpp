@@ -176,7 +176,7 @@ TEST(Measure, FitReadsWhatItWrites) {
   const Scratch scratch;
   const std::string table = (scratch / "orders.csv").string();
   ASSERT_EQ(ramify("measure data/examples/sapling.newick -o " + table).code, 0);
-  const Ran fit = ramify("fit --n 100 --format csv " + table);
+  const Ran fit = ramify("fit --observable ratio --n 100 --format csv " + table);
   EXPECT_EQ(fit.code, 0) << fit.err;
   EXPECT_NE(fit.out.find("orders:data/examples/sapling.newick,patricia"), std::string::npos) << fit.out;
 }

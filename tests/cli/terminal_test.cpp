@@ -36,7 +36,8 @@ TEST(Terminal, ShowsTablesAligned) {
   const std::string counts = scratch.file("counts.csv", "order,count\n1,9\n2,3\n3,1\n");
   const Ran orders = on_terminal("measure " + counts);
   EXPECT_EQ(orders.out.find("nodes"), std::string::npos) << "a column without a value: " << orders.out;
-  EXPECT_NE(on_terminal("fit --format auto --n 20 " + counts).out.find("at the rule"), std::string::npos);
+  EXPECT_NE(on_terminal("fit --observable ratio --format auto --n 20 " + counts).out.find("at the rule"),
+            std::string::npos);
 }
 
 TEST(Terminal, ShowsAPValueThatIsABoundAsOne) {

@@ -163,7 +163,7 @@ TEST(CountFit, ABootstrapDependsOnTheSeedAloneAndSaysWhatTheCurvatureSays) {
 /// Of two shapes counts fix the limiting ratio, and it is that of the tree they came from.
 TEST(CountFit, TheRatioOfTwoShapesIsKnownBetterThanTheShapes) {
   const Family& family = find_family("beta_multinomial");
-  const auto counts = grown_counts(family, {2, 5}, 700, 1);
+  const auto counts = grown_counts(family, {2, 5}, 250, 1);
   const FamilyFit fit = CountFitter(2, uninterrupted).fit(family, counts[0]);
   const auto ratio = limiting_ratio(fit);
   ASSERT_TRUE(ratio.has_value());

@@ -123,6 +123,7 @@ FamilyFit fit_family(const Family& family, const Objective& objective, double ob
 }
 
 Point best_place(const Family& family, const Objective& objective, const Point& start) {
+  if (family.parameters.empty()) return start;
   std::vector<Point> starts = folded_starts(family);
   starts.push_back(start);
   const std::vector<Minimum> found = minima(objective, starts);

@@ -144,10 +144,25 @@ Table model_fit_table(std::span<const FittedDatum> data) {
 
 namespace {
 
+/// As many decimals as the error has, with two digits of it.
+std::string decimal_text(double value, double error) {
+  if (!(error > 0)) return fmt::format("{:.4g}", value);
+  return fmt::format("{:.{}f}", value, std::max(0, 1 - static_cast<int>(std::floor(std::log10(error)))));
+}
+
+std::string estimate_text(const FittedParameter& parameter) {
+  const std::string estimate = decimal_text(parameter.estimate, parameter.standard_error);
+  return std::isnan(parameter.standard_error)
+             ? estimate
+             : fmt::format("{} +- {:.2g}", estimate, parameter.standard_error);
+}
+
 std::string interval_text(const FittedParameter& parameter) {
   if (std::isnan(parameter.lower)) return {};
-  return fmt::format("{}{:.4g} .. {:.4g}{}", parameter.lower_open ? "open " : "", parameter.lower,
-                     parameter.upper, parameter.upper_open ? " open" : "");
+  return fmt::format("{}{} .. {}{}", parameter.lower_open ? "open " : "",
+                     decimal_text(parameter.lower, parameter.standard_error),
+                     decimal_text(parameter.upper, parameter.standard_error),
+                     parameter.upper_open ? " open" : "");
 }
 
 /// One row a parameter; those of the whole fit stand in its first.
@@ -161,9 +176,7 @@ void add_lines(const FamilyFit& fit, double least_aic, Table& table) {
       row.nothing().nothing().nothing();
     } else {
       row.text(shown[i].name);
-      row.text(std::isnan(shown[i].standard_error)
-                   ? fmt::format("{:.4g}", shown[i].estimate)
-                   : fmt::format("{:.4g} +- {:.2g}", shown[i].estimate, shown[i].standard_error));
+      row.text(estimate_text(shown[i]));
       row.text(fit.converged ? interval_text(shown[i]) : "");
     }
     if (i == 0)

@@ -36,10 +36,11 @@ FamilyFit fit_counts(const Family& family, const ObservedCounts& counts, const M
     return no_fit(family, reason, counts.n());
   const std::size_t used = counts.reading().orders;
   if (used < family.parameters.size())
-    return no_fit(family,
-                  fmt::format("{} order above the tips has an order below of {} streams or more, it takes {}",
-                              used, ObservedCounts::enough, family.parameters.size()),
-                  counts.n());
+    return no_fit(
+        family,
+        fmt::format("{} order above the tips has an order below of {} streams or more; {} are needed", used,
+                    ObservedCounts::enough, family.parameters.size()),
+        counts.n());
   FamilyFit fit = fitter.fit(family, counts);
   if (fit.converged) fitter.settle(fit, counts);
   if (options.bootstrap_trees > 0 && fit.converged)

@@ -1,0 +1,66 @@
+// Families fitted to counts of streams, as a user sees it.
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "program.hpp"
+#include <gtest/gtest.h>
+
+namespace ramify::test {
+namespace {
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+TEST(FitOfCounts, RanksFamiliesAndSaysWhatTheyRestOn) {
+  const Ran ran = ramify("fit data/new_hope_creek.csv --model aldous,catalan,bst --format csv");
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const auto lines = lines_of(ran.out);
+  ASSERT_EQ(lines.size(), 5u) << ran.out;
+  EXPECT_TRUE(
+      lines[0].starts_with("data,model,parameter,estimate,standard_error,lower,upper,observable,n,rank"));
+  EXPECT_TRUE(lines[1].starts_with("new_hope_creek,catalan,,,,,,orders,143,1,")) << lines[1];
+  EXPECT_TRUE(lines[2].starts_with("new_hope_creek,aldous,beta,-1.4")) << lines[2];
+  EXPECT_TRUE(lines[3].starts_with("new_hope_creek,aldous,horton_ratio,3.8")) << lines[3];
+  EXPECT_TRUE(lines[4].starts_with("new_hope_creek,bst,,,,,,orders,143,3,")) << lines[4];
+  EXPECT_NE(lines[2].find("from counts of orders 1..2 and the order"), std::string::npos) << lines[2];
+}
+
+TEST(FitOfCounts, IsTheSameOnAnyNumberOfThreads) {
+  const std::string line = "fit data/new_hope_creek.csv --model aldous,patricia --bootstrap 60 --threads ";
+  const Ran one = ramify(line + "1"), three = ramify(line + "3");
+  ASSERT_EQ(one.code, 0) << one.err;
+  EXPECT_EQ(one.out, three.out);
+}
+
+TEST(FitOfCounts, ATableForReadingHasTheBestFamilyFirst) {
+  const Ran ran = ramify("fit data/new_hope_creek.csv --model bst,catalan --format table");
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  EXPECT_TRUE(ran.out.starts_with("new_hope_creek, n 143, from counts of orders 1..2")) << ran.out;
+  EXPECT_LT(ran.out.find("catalan"), ran.out.find("bst"));
+}
+
+TEST(FitOfCounts, AFamilyWithMoreParametersThanOrdersIsListedWithTheReason) {
+  const Scratch scratch;
+  const std::string table = scratch.file("few.csv", "order,count\n1,40\n2,11\n3,2\n4,1\n");
+  const Ran ran = ramify("fit --model beta,bst --format csv " + table);
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  EXPECT_NE(ran.out.find("few,beta,,,,,,orders,39,2,,,,,,,,,,,not_fitted,1 order above the tips"),
+            std::string::npos)
+      << ran.out;
+}
+
+TEST(FitOfCounts, TreesThatAreTooSmallAreRefused) {
+  const Scratch scratch;
+  const std::string table = scratch.file("tiny.csv", "order,count\n1,7\n2,2\n3,1\n");
+  const Ran ran = ramify("fit --model bst " + table);
+  EXPECT_EQ(ran.code, 2);
+  EXPECT_NE(ran.err.find("takes 21 tips and 3 orders at least"), std::string::npos) << ran.err;
+}
+
+}  // namespace
+}  // namespace ramify::test
