@@ -14,7 +14,7 @@
 namespace ramify {
 
 BetaSplit split_of_moments(double mean, double variance) {
-  if (!(mean > 0 && mean < 1))
+  if (!Domain{0, 1}.contains(mean))
     throw Error(fmt::format("--mean {}", mean), "the mean of a fraction lies between 0 and 1",
                 "take one between them");
   const double most = mean * (1 - mean);

@@ -26,12 +26,14 @@ std::optional<std::pair<Precise, Precise>> close_around_tangent(const BetaSplit&
                                                                 const LogMoment& log_moment) {
   const LogMomentOf<double> rough(split);
   const auto [low, high] = around_tangent(rough);
-  if (!(rough.tangent_gap(low) < 0 && rough.tangent_gap(high) > 0)) return std::nullopt;
+  const auto brackets = [](const auto& tangent, const auto& below, const auto& above) {
+    return tangent.tangent_gap(below) < 0 && tangent.tangent_gap(above) > 0;
+  };
+  if (!brackets(rough, low, high)) return std::nullopt;
   constexpr double slack = 1e-6;
   const Precise near = rough.tangent_point(low, high);
-  const std::pair<Precise, Precise> ends{near * (1 - slack), near * (1 + slack)};
-  if (log_moment.tangent_gap(ends.first) < 0 && log_moment.tangent_gap(ends.second) > 0) return ends;
-  return std::nullopt;
+  const Precise below = near * (1 - slack), above = near * (1 + slack);
+  return brackets(log_moment, below, above) ? std::optional(std::pair(below, above)) : std::nullopt;
 }
 
 }  // namespace
