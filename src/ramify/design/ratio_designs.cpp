@@ -19,10 +19,10 @@
 namespace ramify {
 namespace {
 
-/// How closely the families are searched: ratios are smooth in p and in a+b, and change over a decade of
+/// How closely models are searched: ratios are smooth in p and in a+b, and change over a decade of
 /// them.
 struct Search {
-  std::vector<double> means;  ///< a/(a+b) of the families of beta trees
+  std::vector<double> means;  ///< a/(a+b) of beta trees
   double least_sum, most_sum;
   std::size_t sums;           ///< values of a+b
   std::size_t probabilities;  ///< values of p, from least_p to 1/2
@@ -78,9 +78,8 @@ Row row_of(const Design& design, std::optional<Size> n, double ratio) {
       row.exact(design.p).exact(depth_of(design.model)).exact(height_of(design.model)).summary(ratio));
 }
 
-/// What a family has at x, and the models of it that have the ratio: one curve each, side by side on the
-/// threads.
-struct Family {
+/// Models of one parameter x: the ratio that they have, where it is searched, the model of an x.
+struct Candidates {
   ScannedCurve::Function ratio;
   std::vector<double> grid;
   std::function<Design(double x)> design;
@@ -91,20 +90,20 @@ struct Found {
   double lowest = std::numeric_limits<double>::infinity(), highest = 0;
 };
 
-Found search(const Family& family, double ratio, const Cancellation& cancellation) {
-  const ScannedCurve curve(family.ratio, family.grid, {1, &cancellation});
+Found search(const Candidates& candidates, double ratio, const Cancellation& cancellation) {
+  const ScannedCurve curve(candidates.ratio, candidates.grid, {1, &cancellation});
   Found found;
   if (curve.points().empty()) return found;
-  for (const double x : curve.solutions(ratio)) found.designs.push_back(family.design(x));
+  for (const double x : curve.solutions(ratio)) found.designs.push_back(candidates.design(x));
   found.lowest = curve.lowest().y;
   found.highest = curve.highest().y;
   return found;
 }
 
-std::vector<Found> search_all(const std::vector<Family>& families, double ratio, const ScanEffort& effort) {
-  std::vector<Found> found(families.size());
-  parallel_for(families.size(), effort.threads,
-               [&](std::size_t i, unsigned) { found[i] = search(families[i], ratio, *effort.cancellation); });
+std::vector<Found> search_all(const std::vector<Candidates>& all, double ratio, const ScanEffort& effort) {
+  std::vector<Found> found(all.size());
+  parallel_for(all.size(), effort.threads,
+               [&](std::size_t i, unsigned) { found[i] = search(all[i], ratio, *effort.cancellation); });
   return found;
 }
 
@@ -113,46 +112,46 @@ double limiting_ratio(const BetaSplit& split) {
   return ratio ? ratio->value : std::numeric_limits<double>::quiet_NaN();
 }
 
-std::vector<Family> limiting_families() {
-  std::vector<Family> families;
+std::vector<Candidates> limiting_candidates() {
+  std::vector<Candidates> all;
   for (const double mean : of_limits.means)
-    families.push_back({[mean](double sum) { return limiting_ratio(beta_of(mean, sum)); },
-                        geometric(of_limits.least_sum, of_limits.most_sum, of_limits.sums),
-                        [mean](double sum) { return Design::beta(mean, sum); }});
-  return families;
+    all.push_back({[mean](double sum) { return limiting_ratio(beta_of(mean, sum)); },
+                   geometric(of_limits.least_sum, of_limits.most_sum, of_limits.sums),
+                   [mean](double sum) { return Design::beta(mean, sum); }});
+  return all;
 }
 
 std::string binary_text(const char* name, double p) {
   return fmt::format("{}({})", name, format_exact(p));
 }
 
-std::vector<Family> finite_families(Size n, const Cancellation& cancellation) {
+std::vector<Candidates> finite_candidates(Size n, const Cancellation& cancellation) {
   const Search& searched = n <= largest_small_size ? of_small_sizes : of_large_sizes;
-  std::vector<Family> families;
+  std::vector<Candidates> all;
   for (const char* name : {"patricia", "dst"})
-    families.push_back({[name, n, &cancellation](double p) {
-                          return expected_pooled_ratio(Model::parse(binary_text(name, p)), n, cancellation);
-                        },
-                        geometric(least_p, 0.5, searched.probabilities),
-                        [name](double p) -> Design {
-                          const double digits = to_design_digits(p);
-                          return {Model::parse(binary_text(name, digits)), {}, digits};
-                        }});
+    all.push_back({[name, n, &cancellation](double p) {
+                     return expected_pooled_ratio(Model::parse(binary_text(name, p)), n, cancellation);
+                   },
+                   geometric(least_p, 0.5, searched.probabilities),
+                   [name](double p) -> Design {
+                     const double digits = to_design_digits(p);
+                     return {Model::parse(binary_text(name, digits)), {}, digits};
+                   }});
   for (const double mean : searched.means)
-    families.push_back({[mean, n, &cancellation](double sum) {
-                          return expected_pooled_ratio(Model::parse(beta_text(beta_of(mean, sum))), n,
-                                                       cancellation);
-                        },
-                        geometric(searched.least_sum, searched.most_sum, searched.sums),
-                        [mean](double sum) { return Design::beta(mean, sum); }});
-  return families;
+    all.push_back({[mean, n, &cancellation](double sum) {
+                     return expected_pooled_ratio(Model::parse(beta_text(beta_of(mean, sum))), n,
+                                                  cancellation);
+                   },
+                   geometric(searched.least_sum, searched.most_sum, searched.sums),
+                   [mean](double sum) { return Design::beta(mean, sum); }});
+  return all;
 }
 
 Error no_such_model(double ratio, Size n, const std::vector<Found>& found) {
   double lowest = std::numeric_limits<double>::infinity(), highest = 0;
-  for (const Found& of_family : found) {
-    lowest = std::min(lowest, of_family.lowest);
-    highest = std::max(highest, of_family.highest);
+  for (const Found& of_candidates : found) {
+    lowest = std::min(lowest, of_candidates.lowest);
+    highest = std::max(highest, of_candidates.highest);
   }
   return {fmt::format("--ratio {} --n {}", ratio, n),
           fmt::format("streams pooled over orders have a ratio from {:.4g} to {:.4g} in patricia(p), dst(p) "
@@ -170,7 +169,7 @@ Table limiting_ratio_designs(double ratio, const ScanEffort& effort) {
     const Model model = Model::parse(fmt::format("{}(1/{})", name, format_exact(ratio)));
     table.add(row_of({model, {}, 1 / ratio}, {}, horton_ratio_constant(model)->value));
   }
-  for (const Found& found : search_all(limiting_families(), ratio, effort))
+  for (const Found& found : search_all(limiting_candidates(), ratio, effort))
     for (const Design& design : found.designs) table.add(row_of(design, {}, limiting_ratio(*design.split)));
   return table;
 }
@@ -180,10 +179,10 @@ Table finite_ratio_designs(double ratio, Size n, const ScanEffort& effort) {
   if (n < 3)
     throw Error(fmt::format("--n {}", n), "trees of fewer than 3 nodes have one ratio, whatever their model",
                 "take a larger one");
-  const auto found = search_all(finite_families(n, *effort.cancellation), ratio, effort);
+  const auto found = search_all(finite_candidates(n, *effort.cancellation), ratio, effort);
   Table table({"model", "n", "a", "b", "p", "depth", "height", "streams_pooled_ratio"});
-  for (const Found& of_family : found)
-    for (const Design& design : of_family.designs)
+  for (const Found& of_candidates : found)
+    for (const Design& design : of_candidates.designs)
       table.add(row_of(design, n, expected_pooled_ratio(design.model, n, *effort.cancellation)));
   if (table.rows() == 0) throw no_such_model(ratio, n, found);
   return table;
