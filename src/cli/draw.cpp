@@ -4,6 +4,7 @@
 #include "verbs.hpp"
 #include <fmt/format.h>
 
+#include "ramify/core/memory.hpp"
 #include "ramify/draw/drawing_file.hpp"
 #include "ramify/draw/node_link.hpp"
 #include "ramify/format/read_trees.hpp"
@@ -42,12 +43,21 @@ RecordedTree read_tree(const DrawArguments& options) {
   return options.keep_unary ? tree : contract_unary(std::move(tree));
 }
 
+/// Of a tree, its layout and the lines of its picture: what was measured and a tenth; and of the page.
+double drawing_bytes(double nodes) {
+  return 6e7 + 110 * nodes;
+}
+
 RecordedTree grow_tree(const DrawArguments& options, const DrawingFile& file,
                        const Cancellation& cancellation) {
   const Model model = Model::parse(options.model);
   const Size n = read_count("--n", options.n);
   model.require_size(n);
-  file.require_room(model.is_split() ? 2 * static_cast<double>(n) + 1 : model.grown().expected_nodes(n));
+  const auto nodes = [&model](Size size) {
+    return model.is_split() ? 2 * static_cast<double>(size) + 1 : model.grown().expected_nodes(size);
+  };
+  file.require_room(nodes(n));
+  require_memory("the drawing", "--n", n, [&](Size size) { return drawing_bytes(nodes(size)); });
   const std::uint64_t replicate = read_count("--replicate", options.replicate);
   const TreeBatch batch{model, n, read_count("--seed", options.seed), 1, false};
   return std::move(batch.grown(replicate, replicate + 1, cancellation).front());

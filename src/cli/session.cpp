@@ -14,6 +14,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include "ramify/core/number.hpp"
 #include "ramify/io/atomic_file.hpp"
 #include "ramify/io/csv_writer.hpp"
 #include "ramify/io/readable.hpp"
@@ -118,6 +119,12 @@ unsigned read_threads(const std::string& text) {
     throw Error(fmt::format("--threads {}", threads), "must be from 1 to 1024",
                 "leave it out to use every core");
   return static_cast<unsigned>(threads);
+}
+
+double read_real(const std::string& option, const std::string& text) {
+  if (const auto value = parse_real(text)) return *value;
+  throw Error(option + " " + text, "not a finite number",
+              "write a number or a fraction, such as 0.23 or 1/4.35");
 }
 
 void Output::add_to(Verb& verb) {

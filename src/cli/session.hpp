@@ -23,6 +23,9 @@ std::vector<std::string> split_list(const std::string& text);
 /// Threads for --threads: the number given (1 to 1024), else as many as the machine has cores.
 unsigned read_threads(const std::string& text);
 
+/// A real number of an option, "0.23" or "1/4.35"; throws Error for anything else.
+double read_real(const std::string& option, const std::string& text);
+
 /// Whoever read standard output has gone: no fault, and nothing to say.
 class ClosedPipe {};
 

@@ -3,7 +3,6 @@
 #include "session.hpp"
 #include "verbs.hpp"
 
-#include "ramify/core/number.hpp"
 #include "ramify/tabulate/trie_table.hpp"
 #include "ramify/text/read_count.hpp"
 
@@ -15,12 +14,6 @@ struct TrieArguments {
   Output output;
   bool nodes = false;
 };
-
-double read_real(const char* name, const std::string& text) {
-  if (const auto value = parse_real(text)) return *value;
-  throw Error(std::string(name) + " " + text, "not a finite number",
-              "write a number or a fraction, such as 0.23 or 1/4.35");
-}
 
 ExitCode trie(const TrieArguments& options, const Cancellation& cancellation) {
   TrieRequest request;

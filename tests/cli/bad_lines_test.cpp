@@ -28,6 +28,7 @@ const std::map<std::string, std::string>& good_lines() {
       {"run", "run configs/quick/catalan_order.toml"},
       {"reproduce", "reproduce --claim C22"},
       {"fit", "fit data/species.csv"},
+      {"design", "design --mean 0.3 --variance 0.02"},
       {"draw", "draw --model bst --n 20"},
       {"describe", "describe bash"}};
   return lines;
@@ -46,7 +47,7 @@ BadLines bad_verbs() {
   }
   for (const char* verb : {"list", "law", "measure", "test", "theory", "run", "fit", "describe"})
     lines.push_back({verb, "--help"});
-  for (const char* verb : {"list", "sample", "law", "measure", "trie", "theory", "describe"}) {
+  for (const char* verb : {"list", "sample", "law", "measure", "trie", "theory", "design", "describe"}) {
     lines.push_back({good_lines().at(verb) + " -o /proc/no/such", "/proc/no/such"});
     lines.push_back({good_lines().at(verb) + " -o /tmp", "Is a directory"});
   }
@@ -236,6 +237,36 @@ BadLines bad_choices() {
       {"fit data/walnut.csv --bootstrap x", "--bootstrap"},
       {"fit data/walnut.csv data/species.csv", "one holds ratios"},
       {"fit data/species.csv --observable orders", "order"},
+      {"design", "--depth 2 --height 4.4"},
+      {"design --depth 2 --ratio 3", "leave one of them out"},
+      {"design --map --mean 0.5 --variance 0.01", "leave one of them out"},
+      {"design --height 4.4", "add --depth"},
+      {"design --n 100", "add --ratio"},
+      {"design --variance 0.02", "add --mean"},
+      {"design --mean 0.3", "add --variance"},
+      {"design --map --height 4", "a map has all heights"},
+      {"design --depth 2 --height 4.4 --plot a.svg", "add --map"},
+      {"design --map --depth 2 --plot a.pdf", "svg"},
+      {"design --depth x --height 4", "not a finite number"},
+      {"design --depth 1/0 --height 4", "not a finite number"},
+      {"design --depth inf", "not a finite number"},
+      {"design --depth 2 --height nan", "not a finite number"},
+      {"design --depth=-2 --height 4", "1.442695"},
+      {"design --depth 1.4", "1.442695"},
+      {"design --depth 1e9", "take a smaller one"},
+      {"design --depth 2,3 --height 4", "not a finite number"},
+      {"design --map --depth 2,1", "1.442695"},
+      {"design --depth 2 --height 5", "take --height 4.49772635"},
+      {"design --depth 2 --height=-5", "take --height 4.307540352"},
+      {"design --ratio 1.5", "2 or more"},
+      {"design --ratio x", "not a finite number"},
+      {"design --ratio 3 --n x", "whole number"},
+      {"design --ratio 3 --n 2", "take a larger one"},
+      {"design --ratio 30 --n 12", "or another size"},
+      {"design --mean 1.5 --variance 0.1", "between 0 and 1"},
+      {"design --mean 0.3 --variance 0.21", "take a smaller one"},
+      {"design --mean 0.3 --variance 0", "take a larger one"},
+      {"design --mean 0.3 --variance 1e-15", "take a larger variance"},
       {"draw --model bst --n 20", "--output"},
       {"draw --model bst --n 20 -o tree.pdf", "svg"},
       {"draw --tree nothing.txt -o tree.svg", "cannot read 'nothing.txt'"},
@@ -278,7 +309,8 @@ TEST(BadLines, OfChoicesAreRefusedWithAdvice) {
 }
 TEST(BadLines, AreManyAndTheLinesTheyComeFromAreGood) {
   EXPECT_GE(bad_verbs().size() + bad_numbers().size() + bad_models().size() + bad_choices().size(), 400u);
-  for (const char* verb : {"list", "sample", "law", "measure", "test", "trie", "theory", "describe"})
+  for (const char* verb :
+       {"list", "sample", "law", "measure", "test", "trie", "theory", "design", "describe"})
     EXPECT_EQ(ramify(good_lines().at(verb)).code, 0) << verb;
 }
 

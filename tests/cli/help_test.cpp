@@ -78,9 +78,30 @@ TEST(Describe, HasEveryVerbAndOption) {
         shell("( " + std::string(RAMIFY_PROGRAM) + " describe man | groff -man -ww -Tutf8 >/dev/null )");
     EXPECT_EQ(set.err, "");
   }
-  if (shell("command -v zsh").code == 0) {
-    EXPECT_EQ(shell(std::string(RAMIFY_PROGRAM) + " describe zsh | zsh -n").code, 0);
-  }
+}
+
+/// What zsh is told at this place of a line: its own _describe and _arguments need a terminal, so that these
+/// print what they are given.
+std::string told_to_zsh(const std::string& file, const std::string& words, int place) {
+  return shell(
+             "zsh -fc '_describe() { print -l -- \"${(@P)2}\" }; _arguments() { print -l -- \"$@\" }; "
+             "complete_word() { local -a words=(" +
+             words + "); local -i CURRENT=" + std::to_string(place) + "; . " + file + " }; complete_word'")
+      .out;
+}
+
+TEST(Describe, CompletesVerbsAndOptionsInZsh) {
+  if (shell("command -v zsh").code != 0) GTEST_SKIP() << "zsh is not installed";
+  const Scratch scratch;
+  const std::string file = (scratch / "_ramify").string();
+  ASSERT_EQ(ramify("describe zsh -o " + file).code, 0);
+  EXPECT_EQ(shell("zsh -n " + file).code, 0);
+  const std::string names = told_to_zsh(file, "ramify sam", 2);
+  for (const auto& verb : verbs())
+    EXPECT_NE(("\n" + names).find("\n" + verb + ":"), std::string::npos) << verb;
+  const std::string options = told_to_zsh(file, "ramify measure --tab", 3);
+  EXPECT_NE(options.find("*--table["), std::string::npos) << options;
+  EXPECT_EQ(options.find("*--replicates["), std::string::npos) << "of another verb: " << options;
 }
 
 TEST(Help, VersionIsSaid) {

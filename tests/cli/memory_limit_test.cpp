@@ -16,6 +16,7 @@ struct Large {
   std::string arguments;  ///< without the size
   const char* size;       ///< "--n"
   const char* much = "1e9";
+  const char* output = "/dev/null";
 
   friend std::ostream& operator<<(std::ostream& out, const Large& large) { return out << large.name; }
 };
@@ -24,8 +25,10 @@ class MemoryLimit : public testing::TestWithParam<Large> {};
 
 TEST_P(MemoryLimit, IsSaidWithWhatWouldFitAndThatDoes) {
   if (sanitized) GTEST_SKIP() << "a sanitizer maps more than any limit";
-  const auto& [name, arguments, size, much] = GetParam();
-  const Ran refused = within_400_megabytes(arguments + " " + size + " " + much);
+  const auto& [name, arguments, size, much, output] = GetParam();
+  const Scratch scratch;  // a drawing has a name of its own
+  const std::string writing = " -o " + (scratch.path() / output).string();
+  const Ran refused = within_400_megabytes(arguments + " " + size + " " + much + writing);
   EXPECT_EQ(refused.code, 2) << refused.err;
   EXPECT_EQ(refused.out, "");
   EXPECT_EQ(count_lines(refused.err), 1u) << refused.err;
@@ -34,7 +37,7 @@ TEST_P(MemoryLimit, IsSaidWithWhatWouldFitAndThatDoes) {
   ASSERT_NE(at, std::string::npos) << refused.err;
   const std::string fits =
       refused.err.substr(at + offer.size(), refused.err.find(' ', at + offer.size()) - at - offer.size());
-  const Ran ran = within_400_megabytes(arguments + " " + size + " " + fits + " -o /dev/null");
+  const Ran ran = within_400_megabytes(arguments + " " + size + " " + fits + writing);
   EXPECT_EQ(ran.code, 0) << fits << '\n' << ran.err;
 }
 
@@ -46,6 +49,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Large{"Swc", "sample --model bst --format swc", "--n"},
                     Large{"Json", "sample --model bst --format json", "--n"},
                     Large{"GrownTrees", "sample --model 'ternary(0.2)' --format newick", "--n", "1e8"},
+                    Large{"Drawing", "draw --model bst", "--n", "2e6", "tree.png"},
                     Large{"ManyTrees", "sample --model bst --n 100 --format parens", "--replicates"},
                     Large{"GrownWhole", "sample --model 'node_beta(d,d)'", "--n", "1e8"},
                     Large{"DeepTree", "sample --model chain --statistics height", "--n"},

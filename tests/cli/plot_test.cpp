@@ -26,6 +26,7 @@ INSTANTIATE_TEST_SUITE_P(All, Picture,
                          testing::Values("law --model bst --n 20 --statistic height",
                                          "law --model bst --n 20,100 --statistic orders",
                                          "sample --model bst --n 50 --replicates 40 --statistics height",
+                                         "design --map --depth 1.6,2,3",
                                          "measure data/examples/sapling.newick",
                                          "measure data/examples/sapling.newick --leaf-order 0"));
 

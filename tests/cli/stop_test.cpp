@@ -112,6 +112,8 @@ INSTANTIATE_TEST_SUITE_P(
             LongWork{"RunInItsLaws", "run HERE/law.toml --out HERE/o"},
             LongWork{"Reproduce", "reproduce --scale full --out HERE/o"},
             LongWork{"DrawOfAStreamThatNeverEnds", "draw --tree - -o HERE/tree.svg"},
+            LongWork{"DrawOfALargeTree", "draw --model bst --n 2e6 -o HERE/tree.png"},
+            LongWork{"Design", "design --ratio 3 --n 1e6"}, LongWork{"DesignOfAMap", "design --map"},
             LongWork{"Fit", "fit data/lung.csv"}),
         testing::Values(SIGINT, SIGTERM)),
     [](const auto& test) {

@@ -23,6 +23,10 @@ TEST(Terminal, ShowsWorkFromItsThirdSecondOn) {
   const Ran grown = shell("script -qec \"" + timed + RAMIFY_PROGRAM +
                           " sample --model bst --n 1e6 --no-graft --replicates 3000\" /dev/null");
   EXPECT_NE(grown.out.find(" s left"), std::string::npos) << grown.out;
+  const Scratch scratch;
+  const Ran drawn = shell("script -qec \"" + timed + RAMIFY_PROGRAM + " draw --model bst --n 2e6 -o " +
+                          (scratch / "tree.png").string() + "\" /dev/null");
+  EXPECT_NE(drawn.out.find("\rdraw: 2 s"), std::string::npos) << drawn.out;
   EXPECT_EQ(on_terminal("sample --model bst --n 10").out.find("\rsample"), std::string::npos);
 }
 

@@ -114,7 +114,7 @@ std::string Mutator::table(const std::string& text, bool has_header) {
     if (!line.empty() && line[0] != '#') rows.push_back(cut(line, has_header ? "," : "\t", false));
   const char separators[] = {',', ';', '\t', ' '};
   const char separator = separators[below(4)];
-  const char decimal = separator == ';' && maybe(0.5) ? ',' : '.';
+  const char decimal = separator != ',' && maybe(0.5) ? ',' : '.';
   std::vector<std::size_t> order(rows[0].size());
   std::iota(order.begin(), order.end(), 0);
   if (has_header) std::ranges::shuffle(order, random_);
@@ -141,7 +141,7 @@ std::string Mutator::table(const std::string& text, bool has_header) {
 std::string Mutator::points(const std::string& text) {
   const char* const separators[] = {" ", "\t", "  ", ",", "\t ", ";"};
   const std::string separator = separators[below(6)];
-  const bool decimal_commas = separator == ";" && maybe(0.5);
+  const bool decimal_commas = separator != "," && maybe(0.5);
   std::string changed;
   for (const std::string& line : lines_of(text)) {
     if (line.empty() || line[0] == '#') {

@@ -65,6 +65,25 @@ TEST(SwcFiles, AreReadAsTheirProgramsWriteThem) {
        "1;1;0,0;0,0;0,0;5,0;-1\n2;3;0,0;10,0;0,0;1,5;1\n3;3;-3,0;14,0;0,0;1,5;2\n"
        "4;3;3,0;14,0;0,0;1,5;2\n5;3;0,0;-6,0;8,0;1,5;1\n",
        cell_answer},
+      {"semicolons, a decimal comma in every number",
+       "1,0;1,0;0,0;0,0;0,0;5,0;-1,0\n2,0;3,0;0,0;10,0;0,0;1,0;1,0\n3,0;3,0;-3,0;14,0;0,0;1,0;2,0\n"
+       "4,0;3,0;3,0;14,0;0,0;1,0;2,0\n5,0;3,0;0,0;-6,0;8,0;1,0;1,0\n",
+       cell_answer},
+      {"blanks, a decimal comma in every number",
+       "1,0 1,0 0,0 ,0 0,0 5,0 -1,0\n2,0 3,0 0,0 10,0 0,0 1,0 1,0\n3,0 3,0 -3,0 14,0 0,0 1,0 2,0\n"
+       "4,0 3,0 3,0 14,0 0,0 1,0 2,0\n5,0 3,0 0,0 -6,0 8,0 1,0 1,0\n",
+       cell_answer},
+      {"commas with a blank behind them",
+       "1, 1, 0, 0, 0, 5, -1\n2, 3, 0, 10, 0, 1, 1\n3, 3, -3, 14, 0, 1, 2\n4, 3, 3, 14, 0, 1, 2\n"
+       "5, 3, 0, -6, 8, 1, 1\n",
+       cell_answer},
+      {"commas with a blank before them",
+       "1 ,1 ,0 ,0 ,0 ,5 ,-1\n2 ,3 ,0 ,10 ,0 ,1 ,1\n3 ,3 ,-3 ,14 ,0 ,1 ,2\n4 ,3 ,3 ,14 ,0 ,1 ,2\n"
+       "5 ,3 ,0 ,-6 ,8 ,1 ,1\n",
+       cell_answer},
+      {"many semicolons in a comment",
+       "1 1 0 0 0 5 -1 # a;b;c;d;e;f;g\n2 3 0 10 0 1 1\n3 3 -3 14 0 1 2\n4 3 3 14 0 1 2\n5 3 0 -6 8 1 1\n",
+       cell_answer},
       {"navis to_csv: label has the type, type the kind of node",
        "node_id,label,x,y,z,radius,parent_id,type\n1,1,0,0,0,5,-1,root\n2,3,0,10,0,1,1,branch\n3,3,-3,14,0,1,"
        "2,end\n"

@@ -28,6 +28,36 @@ std::size_t separators_in(std::string_view line, char separator) {
   return count;
 }
 
+/// "0,5", "-,25e0": a number whose comma is a decimal mark, quoted or not.
+bool has_decimal_comma(std::string_view piece) {
+  if (piece.size() > 2 && piece.front() == '"' && piece.back() == '"')
+    piece = piece.substr(1, piece.size() - 2);
+  return piece.find_first_not_of("0123456789+-,eE") == std::string_view::npos && piece.back() != ',' &&
+         std::ranges::count(piece, ',') == 1;
+}
+
+/// Whether white space parts a line into so many fields or more, every comma in it being a decimal mark. In
+/// "1 ,2 ,3" and "1, 2, 3" the commas part fields.
+bool is_parted_by_blanks(std::string_view line, std::size_t fields) {
+  std::size_t pieces = 0;
+  for (std::size_t begin = line.find_first_not_of(blanks); begin < line.size(); ++pieces) {
+    const std::size_t end = std::min(line.find_first_of(blanks, begin), line.size());
+    const std::string_view piece = line.substr(begin, end - begin);
+    const bool has_comma = piece.find(',') != std::string_view::npos;
+    if (has_comma && (!has_decimal_comma(piece) || (pieces == 1 && piece.front() == ','))) return false;
+    begin = line.find_first_not_of(blanks, end);
+  }
+  return pieces >= fields;
+}
+
+/// Of SWC.
+char separator_of_points(std::string_view line) {
+  constexpr std::size_t fields = 7;
+  line = line.substr(0, line.find('#'));
+  if (separators_in(line, ';') >= fields - 1) return ';';
+  return separators_in(line, ',') >= fields - 1 && !is_parted_by_blanks(line, fields) ? ',' : ' ';
+}
+
 bool is_nothing(std::string_view line) {
   return line.find_first_not_of(" \t\v\f,;|") == std::string_view::npos;
 }
@@ -46,19 +76,14 @@ std::string_view DelimitedRows::next_line() {
 }
 
 char DelimitedRows::separator_of(std::string_view line) const {
-  constexpr std::size_t of_points = 6;
-  if (kind_ == Separator::points) {
-    for (const char c : {',', ';'})
-      if (separators_in(line, c) >= of_points) return c;
-    return ' ';
-  }
+  if (kind_ == Separator::points) return separator_of_points(line);
   DelimitedRows ahead(*this);
   ahead.separator_ = ' ';
   const std::string_view second = ahead.next_line();
   char best = ' ';
   for (const char c : {',', '|', '\t', ';'}) {
     const std::size_t count = separators_in(line, c);
-    if (count == 0) continue;
+    if (count == 0 || (c == ',' && is_parted_by_blanks(line, 2))) continue;
     const bool parts_both = second.empty() || separators_in(second, c) == count;
     if (best == ' ' || parts_both) best = c;
   }

@@ -23,8 +23,8 @@ class DelimitedRows {
   /// What parts the fields.
   enum class Separator {
     found,   ///< as above
-    points,  ///< of SWC: white space of any kind, or commas or semicolons where there are six of them; what
-             ///< follows a # is a comment
+    points,  ///< of SWC: semicolons or commas where there are six of them that are no decimal marks, else
+             ///< white space of any kind; what follows a # is a comment
   };
 
   explicit DelimitedRows(SourceText source, Separator separator = Separator::found)

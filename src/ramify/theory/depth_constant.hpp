@@ -3,7 +3,10 @@
 #include <optional>
 
 #include "ramify/model/model.hpp"
+#include "ramify/theory/beta_split.hpp"
+#include "ramify/theory/binary_split.hpp"
 #include "ramify/theory/constant.hpp"
+#include "ramify/theory/precise.hpp"
 
 namespace ramify {
 
@@ -13,5 +16,11 @@ namespace ramify {
 /// constant, p: mu is its entropy. Perfect subtrees: 1/log 2. Nothing where there is no X: depths grow like
 /// powers of n or of log n. Devroye 1998; Aldous 1996; theorem 2.1 of Kruszewski 1996 (C6).
 std::optional<Constant> depth_constant(const Model& model);
+
+/// The number alone, of X ~ beta(a,b), a, b > 0: the nearest double; nothing where 50 digits do not reach.
+std::optional<Rounded> beta_depth(const BetaSplit& split);
+
+/// The same of a constant X.
+std::optional<Rounded> fixed_depth(const BinarySplit& split);
 
 }  // namespace ramify

@@ -9,36 +9,44 @@ namespace ramify {
 ///   M(t) = Gamma(a+b)/Gamma(a+b+t) [Gamma(a+t)/Gamma(a) + Gamma(b+t)/Gamma(b)].
 /// log M is convex; M(0) = 2, M(1) = 1. Height and fill level both lie where a tangent of log M passes
 /// through the origin.
-class LogMoment {
+/// @tparam Real  Precise, or double to know about where: log-gammas of large a and b cancel
+template <class Real>
+class LogMomentOf {
  public:
-  explicit LogMoment(const BetaSplit& split);
+  explicit LogMomentOf(const BetaSplit& split);
 
   /// Whether 50 digits reach from log Gamma(a+b) to log M: a and b within 1e-25..1e25.
   static bool reaches(const BetaSplit& split);
 
-  Precise operator()(const Precise& t) const;
-  Precise derivative(const Precise& t) const;
+  Real operator()(const Real& t) const { return value(log_terms(t)); }
 
   /// The root of t (log M)'(t) = log M(t) between two points that bracket it.
   ///
   /// Both constants are stationary there: half the working digits of t give all of them in the value.
-  Precise tangent_point(const Precise& low, const Precise& high) const;
+  Real tangent_point(const Real& low, const Real& high) const;
 
   /// t (log M)'(t) - log M(t).
-  Precise tangent_gap(const Precise& t) const { return t * derivative(t) - (*this)(t); }
+  Real tangent_gap(const Real& t) const;
 
   /// The largest log-gamma in log M(t), over |log M(t)|: what cancels there.
-  Precise cancelled(const Precise& t) const;
+  Real cancelled(const Real& t) const;
 
  private:
   struct LogTerms {
-    Precise left;   ///< log E X^t
-    Precise right;  ///< log E (1-X)^t
+    Real left;   ///< log E X^t
+    Real right;  ///< log E (1-X)^t
   };
-  LogTerms log_terms(const Precise& t) const;
+  LogTerms log_terms(const Real& t) const;
+  static Real value(const LogTerms& terms);
+  Real derivative(const Real& t, const LogTerms& terms) const;
 
-  Precise a_, b_;
-  Precise normaliser_a_, normaliser_b_;  ///< log of Gamma(a+b)/Gamma(a) and of Gamma(a+b)/Gamma(b)
+  Real a_, b_;
+  Real normaliser_a_, normaliser_b_;  ///< log of Gamma(a+b)/Gamma(a) and of Gamma(a+b)/Gamma(b)
 };
+
+extern template class LogMomentOf<Precise>;
+extern template class LogMomentOf<double>;
+
+using LogMoment = LogMomentOf<Precise>;
 
 }  // namespace ramify
