@@ -27,12 +27,6 @@ std::vector<Point> folded_starts(const Family& family) {
   return starts;
 }
 
-/// d value / d searched.
-double slope_of(const SearchScale& scale, double searched) {
-  const double h = 1e-6 * std::max(1.0, std::abs(searched));
-  return (scale.back(searched + h) - scale.back(searched - h)) / (2 * h);
-}
-
 /// Beyond the middle of a scale its mirror image begins.
 ProfileInterval folded(const Family& family, ProfileInterval interval) {
   if (family.mirror == Mirror::reflected && interval.high.place[0] > 0) interval.high = {{0}, false};
@@ -45,9 +39,8 @@ void add_parameter(const Objective& objective, const Minimum& best, std::size_t 
   const ProfileInterval interval = folded(*fit.family, profile_interval(objective, best, i));
   const SearchScale& scale = parameter.scale;
   fit.parameters.push_back({parameter.name, scale.back(best.at[i]),
-                            std::sqrt(variance) * slope_of(scale, best.at[i]),
-                            scale.back(interval.low.place[i]), scale.back(interval.high.place[i]),
-                            interval.low.is_open, interval.high.is_open});
+                            std::sqrt(variance) * scale.slope(best.at[i]), scale.back(interval.low.place[i]),
+                            scale.back(interval.high.place[i]), interval.low.is_open, interval.high.is_open});
   fit.searched_places.push_back(interval.low.place);
   fit.searched_places.push_back(interval.high.place);
 }
