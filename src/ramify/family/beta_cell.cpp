@@ -10,17 +10,19 @@
 namespace ramify {
 namespace {
 
-CellPoints gauss_legendre() {
-  using Gauss = boost::math::quadrature::gauss<double, CellPoints::count>;
-  constexpr std::size_t half = CellPoints::count / 2;
-  CellPoints points{};
+constexpr double most_change = 4;  // of the log-density over a panel
+
+CellRule gauss_legendre() {
+  using Gauss = boost::math::quadrature::gauss<double, CellRule::points>;
+  constexpr std::size_t half = CellRule::points / 2;
+  CellRule rule{};
   for (std::size_t q = 0; q < half; ++q) {
-    const double x = Gauss::abscissa()[q], weight = Gauss::weights()[q] / 2;
-    points.at[half + q] = (1 + x) / 2;
-    points.at[half - 1 - q] = (1 - x) / 2;
-    points.weight[half + q] = points.weight[half - 1 - q] = weight;
+    const double x = Gauss::abscissa()[q];
+    rule.at[half + q] = (1 + x) / 2;
+    rule.at[half - 1 - q] = (1 - x) / 2;
+    rule.weight[half + q] = rule.weight[half - 1 - q] = Gauss::weights()[q] / 2;
   }
-  return points;
+  return rule;
 }
 
 /// From 0 to h = 1/n.
@@ -57,9 +59,9 @@ struct CellDensity {
 
 }  // namespace
 
-const CellPoints& CellPoints::get() {
-  static const CellPoints points = gauss_legendre();
-  return points;
+const CellRule& CellRule::get() {
+  static const CellRule rule = gauss_legendre();
+  return rule;
 }
 
 LogBeta::LogBeta(double first, double second) : a(first), b(second) {
@@ -80,29 +82,29 @@ LogBeta LogBeta::exchanged() const {
   return other;
 }
 
-double change_over_cell(double a, double b, double i, double j) {
-  const double left = std::abs(a - 1), right = std::abs(b - 1);
-  const double slope =
-      std::max(std::abs((a - 1) / i - (b - 1) / (j + 1)), std::abs((a - 1) / (i + 1) - (b - 1) / j));
-  return std::max(slope, 2 * std::sqrt(left / (i * i) + right / (j * j)));
+std::size_t panels_needed(double a, double b, double i, double j) {
+  const double left = (a - 1) / i, right = (b - 1) / j;
+  const double slope = std::max(std::abs(left - (b - 1) / (j + 1)), std::abs((a - 1) / (i + 1) - right));
+  const double bend = 2 * std::sqrt(std::abs(left) / i + std::abs(right) / j);
+  return static_cast<std::size_t>(std::max(1.0, std::ceil(std::max(slope, bend) / most_change)));
 }
 
 LogCell log_cell(const LogBeta& beta, double i, double j) {
   const double n = i + j + 1;
   if (i == 0) return first_cell(beta, n);
   const CellDensity density{beta.a, beta.b, i, j, n};
-  const double panels = std::max(i < least_smaller ? 2.0 : 1.0,
-                                 std::ceil(change_over_cell(beta.a, beta.b, i, j) / most_change));
+  const auto panels = static_cast<double>(panels_needed(beta.a, beta.b, i, j));
+  const CellRule& rule = CellRule::get();
   const double largest = density.largest();
-  const CellPoints& points = CellPoints::get();
   double sum = 0, by_a = 0, by_b = 0;
   for (double panel = 0; panel < panels; ++panel)
-    for (std::size_t q = 0; q < CellPoints::count; ++q) {
-      const double t = (panel + points.at[q]) / panels;
-      const double part = points.weight[q] * std::exp(density(t) - largest);
+    for (std::size_t q = 0; q < CellRule::points; ++q) {
+      const double t = (panel + rule.at[q]) / panels, log_x = density.log_x(t),
+                   log_rest = density.log_rest(t);
+      const double part = rule.weight[q] * std::exp((beta.a - 1) * log_x + (beta.b - 1) * log_rest - largest);
       sum += part;
-      by_a += part * density.log_x(t);
-      by_b += part * density.log_rest(t);
+      by_a += part * log_x;
+      by_b += part * log_rest;
     }
   return {largest + std::log(sum / panels / n) - beta.value, by_a / sum - beta.by_a, by_b / sum - beta.by_b};
 }

@@ -11,35 +11,69 @@
 namespace ramify {
 namespace {
 
+/// Powers of the shares x and 1-x over cells, beside those at their middles. The density over a cell is a
+/// product of a power that depends on i and one that depends on j: computed once for each size, so that a
+/// split costs no power.
+class CellPowers {
+ public:
+  using Table = std::vector<double>;
+
+  explicit CellPowers(const SplitSizes& sizes) {
+    for (const Size size : sizes.sizes)
+      for (const double t : rule_.at)
+        logs_.push_back(std::log1p((t - 0.5) / (static_cast<double>(size) + 0.5)));
+  }
+
+  /// ((i + t) / (i + 1/2))^exponent, size after size.
+  Table table(double exponent) const {
+    Table powers(logs_.size());
+    for (std::size_t k = 0; k < powers.size(); ++k) powers[k] = std::exp(exponent * logs_[k]);
+    return powers;
+  }
+
+  /// log of the mean over a cell, both children by their places, and its derivatives by the exponents.
+  LogCell mean(const SplitSizes::Places& split, const Table& left_powers, const Table& right_powers) const {
+    constexpr std::size_t count = CellRule::points;
+    const std::size_t left = split.smaller * count, right = split.larger * count + count - 1;
+    double sum = 0, by_a = 0, by_b = 0;
+    for (std::size_t q = 0; q < count; ++q) {
+      const double part = rule_.weight[q] * left_powers[left + q] * right_powers[right - q];
+      sum += part;
+      by_a += part * logs_[left + q];
+      by_b += part * logs_[right - q];
+    }
+    return {std::log(sum), by_a / sum, by_b / sum};
+  }
+
+ private:
+  const CellRule& rule_ = CellRule::get();
+  std::vector<double> logs_;  ///< log((i + t) / (i + 1/2)), size after size
+};
+
 /// P(left = i) = I_((i+1)/n)(a,b) - I_(i/n)(a,b), integrals of the density x^(a-1) (1-x)^(b-1) / B(a,b),
-/// whose derivatives are integrals as well.
-///
-/// Beside its middle the density over a cell is a product of a power that depends on i, x, and one that
-/// depends on j: they are computed once for each size, so a split costs no power. Cells at the ends and steep
-/// ones are integrated one by one (beta_cell.hpp).
+/// whose derivatives are integrals as well: cells that one panel or two are enough for by tables of powers,
+/// the others one by one (beta_cell.hpp).
 class BetaLikelihood {
  public:
-  explicit BetaLikelihood(const ObservedSplits& observed) : sizes_(observed) {
-    for (const ObservedSplit& split : observed.splits()) {
-      splits_.push_back(split);
-    }
+  explicit BetaLikelihood(const ObservedSplits& observed)
+      : splits_(observed.splits().begin(), observed.splits().end()), sizes_(observed), powers_(sizes_) {
     for (const Size size : sizes_.sizes) {
-      const double whole = static_cast<double>(size), middle = whole + 0.5;
+      const double whole = static_cast<double>(size);
       log_size_.push_back(std::log(std::max(whole, 1.0)));
-      log_middle_.push_back(std::log(middle));
-      for (std::size_t q = 0; q < points; ++q)
-        beside_.push_back(std::log1p((CellPoints::get().at[q] - 0.5) / middle));
+      inverse_size_.push_back(1 / std::max(whole, 1.0));
+      log_middle_.push_back(std::log(whole + 0.5));
     }
   }
 
+  /// The log-likelihood with its derivatives.
   LogCell operator()(double a, double b) const {
-    const LogBeta straight(a, b), mirrored = straight.exchanged();
-    const std::vector<double> powers_a = powers(a - 1), powers_b = powers(b - 1);
+    const CellPowers::Table powers_a = powers_.table(a - 1), powers_b = powers_.table(b - 1);
+    const LogBeta beta(a, b);
+    const Law straight{beta, powers_a, powers_b}, mirrored{beta.exchanged(), powers_b, powers_a};
     LogCell sum{0, 0, 0};
     for (std::size_t s = 0; s < splits_.size(); ++s) {
-      LogCell cell = log_probability(s, straight, powers_a, powers_b);
-      if (!splits_[s].is_even())
-        cell = either(cell, log_probability(s, mirrored, powers_b, powers_a).exchanged());
+      LogCell cell = log_probability(s, straight);
+      if (!splits_[s].is_even()) cell = either(cell, log_probability(s, mirrored).exchanged());
       sum.log += splits_[s].count * cell.log;
       sum.by_a += splits_[s].count * cell.by_a;
       sum.by_b += splits_[s].count * cell.by_b;
@@ -48,37 +82,25 @@ class BetaLikelihood {
   }
 
  private:
-  static constexpr std::size_t points = CellPoints::count;
-
-  /// ((i + t) / (i + 1/2))^exponent at the eight points, size after size.
-  std::vector<double> powers(double exponent) const {
-    std::vector<double> found(beside_.size());
-    for (std::size_t k = 0; k < found.size(); ++k) found[k] = std::exp(exponent * beside_[k]);
-    return found;
-  }
+  struct Law {
+    LogBeta beta;
+    const CellPowers::Table &left, &right;
+  };
 
   /// That the smaller child is the left one.
-  LogCell log_probability(std::size_t s, const LogBeta& beta, const std::vector<double>& left_powers,
-                          const std::vector<double>& right_powers) const {
+  LogCell log_probability(std::size_t s, const Law& law) const {
+    const LogBeta& beta = law.beta;
     const double i = static_cast<double>(splits_[s].smaller), j = static_cast<double>(splits_[s].larger);
-    if (i < least_smaller || change_over_cell(beta.a, beta.b, i, j) > most_change)
+    const auto& places = sizes_.places[s];
+    const double change = std::abs(beta.a - 1) * inverse_size_[places.smaller] +
+                          std::abs(beta.b - 1) * inverse_size_[places.larger];
+    if (i == 0 || (change > surely_even && panels_needed(beta.a, beta.b, i, j) > 1))
       return log_cell(beta, i, j);
-    const auto [smaller, larger, node] = sizes_.places[s];
-    const double* left = &left_powers[smaller * points];
-    const double* right = &right_powers[larger * points];
-    const double* beside_left = &beside_[smaller * points];
-    const double* beside_right = &beside_[larger * points];
-    const auto& weight = CellPoints::get().weight;
-    double sum = 0, by_a = 0, by_b = 0;
-    for (std::size_t q = 0; q < points; ++q) {
-      const double part = weight[q] * left[q] * right[points - 1 - q];
-      sum += part;
-      by_a += part * beside_left[q];
-      by_b += part * beside_right[points - 1 - q];
-    }
-    const double x = log_middle_[smaller] - log_size_[node], rest = log_middle_[larger] - log_size_[node];
-    return {(beta.a - 1) * x + (beta.b - 1) * rest + std::log(sum) - log_size_[node] - beta.value,
-            x + by_a / sum - beta.by_a, rest + by_b / sum - beta.by_b};
+    const LogCell mean = powers_.mean(places, law.left, law.right);
+    const double log_n = log_size_[places.node];
+    const double x = log_middle_[places.smaller] - log_n, rest = log_middle_[places.larger] - log_n;
+    return {(beta.a - 1) * x + (beta.b - 1) * rest + mean.log - log_n - beta.value, x + mean.by_a - beta.by_a,
+            rest + mean.by_b - beta.by_b};
   }
 
   /// The log of the sum of two probabilities.
@@ -89,10 +111,10 @@ class BetaLikelihood {
             one.by_b + share * (other.by_b - one.by_b)};
   }
 
-  SplitSizes sizes_;
   std::vector<ObservedSplit> splits_;
-  std::vector<double> log_size_, log_middle_;  ///< of every size i: log i, log(i + 1/2)
-  std::vector<double> beside_;                 ///< log((i + t) / (i + 1/2)) at the eight points
+  SplitSizes sizes_;
+  CellPowers powers_;
+  std::vector<double> log_size_, log_middle_, inverse_size_;  ///< of every size i: log i, log(i + 1/2), 1/i
 };
 
 SplitLikelihood beta_likelihood(const ObservedSplits& observed) {
