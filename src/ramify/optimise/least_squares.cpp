@@ -34,8 +34,10 @@ class Block final : public ceres::CostFunction {
   const Residuals& residuals_;
 };
 
-ceres::Solver::Options solver_options() {
+ceres::Solver::Options solver_options(ceres::MinimizerType type) {
   ceres::Solver::Options options;
+  options.minimizer_type = type;
+  options.line_search_direction_type = ceres::BFGS;
   options.linear_solver_type = ceres::DENSE_QR;
   options.logging_type = ceres::SILENT;
   options.max_num_iterations = 2000;
@@ -66,9 +68,10 @@ struct Linearised {
   }
 };
 
-/// Gauss and Newton's steps while each is at most half the one before, in units of the parameters.
+/// Gauss and Newton's steps while each is clearly shorter than the one before, in units of the parameters.
 void polish(const Residuals& residuals, Point& at) {
-  constexpr int steps = 20;
+  constexpr int steps = 200;
+  constexpr double shorter = 0.9;
   double size = 1e-2;
   for (int i = 0; i < steps; ++i) {
     const Linearised here(residuals, at);
@@ -77,7 +80,7 @@ void polish(const Residuals& residuals, Point& at) {
     double next = 0;
     for (std::size_t k = 0; k < at.size(); ++k)
       next = std::max(next, std::abs(step[static_cast<Index>(k)]) / std::max(std::abs(at[k]), 1e-300));
-    if (!(next <= size / 2)) return;
+    if (!(next <= shorter * size)) return;
     size = next;
     for (std::size_t k = 0; k < at.size(); ++k) at[k] += step[static_cast<Index>(k)];
   }
@@ -95,22 +98,32 @@ std::vector<double> covariance_of(ceres::Problem& problem, const Point& at) {
   return found;
 }
 
-}  // namespace
-
-LeastSquares least_squares(const Residuals& residuals, const Point& start) {
-  RAMIFY_EXPECTS(residuals.count >= start.size());
-  quiet_ceres();
+/// One search, polished.
+LeastSquares searched(const Residuals& residuals, const Point& start, ceres::MinimizerType type) {
   Point at = start;
   ceres::Problem problem;
   problem.AddResidualBlock(new Block(residuals, at.size()), nullptr, at.data());
   ceres::Solver::Summary summary;
-  ceres::Solve(solver_options(), &problem, &summary);
+  ceres::Solve(solver_options(type), &problem, &summary);
   polish(residuals, at);
   std::vector<double> rest(residuals.count);
   const bool exists = residuals.evaluate(at, rest, nullptr);
   double sum = 0;
   for (const double residual : rest) sum += residual * residual;
-  return {at, sum, covariance_of(problem, at), exists && summary.termination_type == ceres::CONVERGENCE};
+  std::vector<double> covariance = covariance_of(problem, at);
+  return {at, sum, std::move(covariance), exists && summary.termination_type == ceres::CONVERGENCE};
+}
+
+}  // namespace
+
+LeastSquares least_squares(const Residuals& residuals, const Point& start) {
+  RAMIFY_EXPECTS(residuals.count >= start.size());
+  quiet_ceres();
+  LeastSquares found = searched(residuals, start, ceres::TRUST_REGION);
+  if (found.converged && !found.covariance.empty()) return found;
+  LeastSquares other = searched(residuals, start, ceres::LINE_SEARCH);
+  other = searched(residuals, other.at, ceres::TRUST_REGION);
+  return other.converged && other.sum_of_squares < found.sum_of_squares ? other : found;
 }
 
 }  // namespace ramify

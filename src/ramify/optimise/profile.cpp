@@ -87,15 +87,17 @@ class Profile {
   ProfileEnd root(Height inside, Height outside) const {
     constexpr int steps = 100;
     double next = newton(outside, inside, outside);
+    Point others = inside.others;
     for (int i = 0; i < steps; ++i) {
       Height reached = height(next, inside.others);
+      others = reached.others;
       Height& end = reached.above > 0 ? outside : inside;
       end = std::move(reached);
       next = newton(end, inside, outside);
       const double near = 1e-11 * std::max(1.0, std::abs(next));
       if (std::abs(next - end.at) < near || std::abs(outside.at - inside.at) < near) break;
     }
-    return {whole(next, inside.others), outside.above == large};
+    return {whole(next, std::move(others)), outside.above == large};
   }
 
   static double newton(const Height& from, const Height& inside, const Height& outside) {
