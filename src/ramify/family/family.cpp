@@ -32,6 +32,18 @@ double SearchScale::back(double searched) const {
   return searched;
 }
 
+double SearchScale::slope(double searched) const {
+  switch (kind) {
+    case Kind::log_above:
+      return std::exp(searched);
+    case Kind::logit:
+      return (high - low) / (2 + std::exp(searched) + std::exp(-searched));
+    case Kind::plain:
+      break;
+  }
+  return 1;
+}
+
 Model Family::at(std::span<const double> values) const {
   RAMIFY_EXPECTS(values.size() == parameters.size());
   return Model::make(*model, parameters.empty() ? std::span<const double>(fixed) : values);

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "ramify/family/observed_splits.hpp"
+#include "ramify/family/split_likelihood.hpp"
 #include "ramify/model/model.hpp"
 
 namespace ramify {
@@ -22,6 +24,9 @@ struct SearchScale {
 
   double of(double x) const;
   double back(double searched) const;
+
+  /// The derivative of back.
+  double slope(double searched) const;
 };
 
 /// A free parameter of a family.
@@ -49,6 +54,9 @@ struct Family {
   std::vector<FamilyParameter> parameters;
   Mirror mirror = Mirror::none;
   std::string_view alike;  ///< what the data cannot tell, in a sentence; empty where all can be told
+
+  /// The likelihood of the splits of whole trees.
+  SplitLikelihood (*of_splits)(const ObservedSplits& splits);
 
   /// Of values of the free parameters. Throws Error where one is out of the model's domain.
   Model at(std::span<const double> values) const;

@@ -1,8 +1,10 @@
 #include "ramify/fit/family_fit.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -12,11 +14,12 @@ namespace {
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr double relevant = 20;  // of a log-likelihood: maxima that lie lower are not listed
 
-/// The point that stands for it among those that nobody can tell apart.
-Point folded(const Family& family, Point at) {
-  if (family.mirror == Mirror::reflected) at[0] = -std::abs(at[0]);
-  if (family.mirror == Mirror::exchanged) std::ranges::sort(at);
-  return at;
+/// The minimum at the folded point: its curvature goes with its parameters.
+Minimum folded(const Family& family, Minimum minimum) {
+  Point at = folded(family, minimum.at);
+  if (family.mirror == Mirror::exchanged && at != minimum.at) std::ranges::reverse(minimum.curvature);
+  minimum.at = std::move(at);
+  return minimum;
 }
 
 /// Starts beyond the mirror find nothing new.
@@ -27,36 +30,72 @@ std::vector<Point> folded_starts(const Family& family) {
   return starts;
 }
 
-/// d value / d searched.
-double slope_of(const SearchScale& scale, double searched) {
-  const double h = 1e-6 * std::max(1.0, std::abs(searched));
-  return (scale.back(searched + h) - scale.back(searched - h)) / (2 * h);
+/// A pair in order, from one of its parameters and the distance d >= 0 to the other: (x, x+d) where the first
+/// is kept, (x-d, x) where the second is.
+Point pair_of(std::span<const double> at, std::size_t kept) {
+  return kept == 0 ? Point{at[0], at[0] + at[1]} : Point{at[0] - at[1], at[0]};
 }
 
-/// Beyond the middle of a scale its mirror image begins.
-ProfileInterval folded(const Family& family, ProfileInterval interval) {
+/// The function of what pair_of() takes: so the pair stays in order.
+Objective ordered(const Objective& objective, std::size_t kept) {
+  const auto evaluate = [objective, kept](std::span<const double> at, double& value, double* gradient) {
+    const Point pair = pair_of(at, kept);
+    std::array<double, 2> slopes{};
+    if (!objective.contains(pair) ||
+        !objective.evaluate(pair, value, gradient == nullptr ? nullptr : slopes.data()))
+      return false;
+    if (gradient != nullptr) {
+      gradient[0] = slopes[0] + slopes[1];
+      gradient[1] = kept == 0 ? slopes[1] : -slopes[0];
+    }
+    return true;
+  };
+  return {evaluate, {objective.low[kept], 0}, {objective.high[kept], objective.high[1] - objective.low[0]}};
+}
+
+/// Where the mirror image begins the interval ends: in the middle of a scale, or where the pair is no longer
+/// in order.
+ProfileInterval interval_of(const Family& family, const Objective& objective, const Minimum& best,
+                            std::size_t i) {
+  if (family.mirror == Mirror::exchanged) {
+    const Objective in_order = ordered(objective, i);
+    const Minimum same = minimise(in_order, {best.at[i], best.at[1] - best.at[0]});
+    const Point equal{0};
+    ProfileInterval interval = profile_interval(in_order, same, 0, rise_of_95, std::span(&equal, 1));
+    for (ProfileEnd* end : {&interval.low, &interval.high}) end->place = pair_of(end->place, i);
+    return interval;
+  }
+  ProfileInterval interval = profile_interval(objective, best, i);
   if (family.mirror == Mirror::reflected && interval.high.place[0] > 0) interval.high = {{0}, false};
   return interval;
 }
 
+/// Without errors where the fit did not converge.
 void add_parameter(const Objective& objective, const Minimum& best, std::size_t i, FamilyFit& fit) {
   const FamilyParameter& parameter = fit.family->parameters[i];
-  const double variance = fit.covariance.empty() ? none : fit.covariance[i * best.at.size() + i];
-  const ProfileInterval interval = folded(*fit.family, profile_interval(objective, best, i));
   const SearchScale& scale = parameter.scale;
-  fit.parameters.push_back({parameter.name, scale.back(best.at[i]),
-                            std::sqrt(variance) * slope_of(scale, best.at[i]),
-                            scale.back(interval.low.place[i]), scale.back(interval.high.place[i]),
-                            interval.low.is_open, interval.high.is_open});
-  fit.searched_places.push_back(interval.low.place);
-  fit.searched_places.push_back(interval.high.place);
+  FittedParameter fitted{parameter.name, scale.back(best.at[i]), none, none, none, false, false};
+  if (best.converged) {
+    const double variance = fit.covariance.empty() ? none : fit.covariance[i * best.at.size() + i];
+    const ProfileInterval interval = interval_of(*fit.family, objective, best, i);
+    fitted = {parameter.name,
+              fitted.estimate,
+              std::sqrt(variance) * scale.slope(best.at[i]),
+              scale.back(interval.low.place[i]),
+              scale.back(interval.high.place[i]),
+              interval.low.is_open,
+              interval.high.is_open};
+    fit.searched_places.push_back(interval.low.place);
+    fit.searched_places.push_back(interval.high.place);
+  }
+  fit.parameters.push_back(fitted);
 }
 
 /// The minima that can be told apart, the lowest first.
 std::vector<Minimum> folded_minima(const Family& family, const Objective& objective) {
   std::vector<Minimum> found;
-  for (Minimum& minimum : minima(objective, folded_starts(family))) {
-    minimum.at = folded(family, minimum.at);
+  for (const Minimum& unfolded : minima(objective, folded_starts(family))) {
+    Minimum minimum = folded(family, unfolded);
     const bool is_new = std::ranges::none_of(found, [&](const Minimum& other) {
       return std::ranges::equal(other.at, minimum.at,
                                 [](double a, double b) { return std::abs(a - b) < 1e-4; });
@@ -80,6 +119,12 @@ std::vector<double> FamilyFit::estimates() const {
   std::vector<double> found;
   for (const FittedParameter& parameter : parameters) found.push_back(parameter.estimate);
   return found;
+}
+
+Point folded(const Family& family, Point at) {
+  if (family.mirror == Mirror::reflected) at[0] = -std::abs(at[0]);
+  if (family.mirror == Mirror::exchanged) std::ranges::sort(at);
+  return at;
 }
 
 SearchBox search_box(const Family& family) {

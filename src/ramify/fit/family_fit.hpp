@@ -16,7 +16,7 @@ struct FittedParameter {
   std::string_view name;
   double estimate;
   double standard_error;  ///< from the curvature of the log-likelihood; NaN where it has none, as at an end
-  double lower, upper;    ///< profile interval, 95 %
+  double lower, upper;    ///< profile interval, 95 %; NaN where the fit did not converge
   bool lower_open, upper_open;  ///< the likelihood does not fall so far: nothing bounds the parameter there
 };
 
@@ -67,6 +67,10 @@ FamilyFit fit_family(const Family& family, const Objective& minus_log_likelihood
 /// Those of the fit where there are none.
 /// @param start  where to begin: the estimate that the tree was grown with
 Point best_place(const Family& family, const Objective& minus_log_likelihood, const Point& start);
+
+/// The point, on the scale that is searched, that stands for it among those that nobody can tell apart
+/// (Family::mirror).
+Point folded(const Family& family, Point at);
 
 /// The ends of what is searched, on its scale.
 struct SearchBox {

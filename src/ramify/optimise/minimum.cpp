@@ -20,9 +20,24 @@ using Eigen::VectorXd;
 
 constexpr double near_an_end = 1e-6;  // of a box, in units of its parameters
 constexpr int newton_steps = 20;
+constexpr double small_step = 1e-7;  // the next would be lost in rounding
 
 std::span<const double> span_of(const VectorXd& at) {
   return {at.data(), static_cast<std::size_t>(at.size())};
+}
+
+/// The point of the box that a point beyond an end is the mirror image of: a line search that leaves the box
+/// finds the function continued, and comes back.
+Point reflected(const Objective& objective, std::span<const double> at, std::vector<bool>& turned) {
+  Point inside(at.begin(), at.end());
+  turned.assign(at.size(), false);
+  for (std::size_t i = 0; i < inside.size(); ++i) {
+    const double low = objective.low[i], high = objective.high[i];
+    turned[i] = inside[i] < low || inside[i] > high;
+    if (inside[i] < low) inside[i] = std::min(2 * low - inside[i], high);
+    if (inside[i] > high) inside[i] = std::max(2 * high - inside[i], low);
+  }
+  return inside;
 }
 
 class CeresFunction final : public ceres::FirstOrderFunction {
@@ -30,9 +45,12 @@ class CeresFunction final : public ceres::FirstOrderFunction {
   explicit CeresFunction(const Objective& objective) : objective_(objective) {}
 
   bool Evaluate(const double* at, double* value, double* gradient) const override {
-    const std::span<const double> point(at, objective_.parameters());
-    return objective_.contains(point) && objective_.evaluate(point, *value, gradient) &&
-           std::isfinite(*value);
+    std::vector<bool> turned;
+    const Point point = reflected(objective_, {at, objective_.parameters()}, turned);
+    if (!objective_.evaluate(point, *value, gradient) || !std::isfinite(*value)) return false;
+    for (std::size_t i = 0; gradient != nullptr && i < turned.size(); ++i)
+      if (turned[i]) gradient[i] = -gradient[i];
+    return true;
   }
   int NumParameters() const override { return static_cast<int>(objective_.parameters()); }
 
@@ -48,13 +66,16 @@ VectorXd searched(const Objective& objective, const Point& start) {
   options.logging_type = ceres::SILENT;
   options.line_search_direction_type = ceres::BFGS;
   options.max_num_iterations = 200;
+  options.max_line_search_step_expansion = 2;  // scales are logarithmic: ten steps on are far away
   options.function_tolerance = 1e-13;
   options.gradient_tolerance = 1e-12;
   options.parameter_tolerance = 1e-12;
   ceres::GradientProblemSolver::Summary summary;
   quiet_ceres();
   ceres::Solve(options, problem, at.data(), &summary);
-  return at;
+  std::vector<bool> turned;
+  const Point inside = reflected(objective, span_of(at), turned);
+  return Eigen::Map<const VectorXd>(inside.data(), static_cast<Index>(inside.size()));
 }
 
 /// The gradient and the second derivatives there.
@@ -115,17 +136,50 @@ VectorXd newton_step(const Local& local, const std::vector<bool>& stays) {
   return factors.solve(-slope);
 }
 
-/// Moves a point that has nearly reached an end of the box, and whose function falls towards it, onto it.
+/// Moves a point onto an end of the box that is near, or towards which the function falls, where it is lower
+/// there.
 void settle(const Objective& objective, VectorXd& at) {
+  VectorXd gradient = VectorXd::Zero(at.size());
+  double value = 0;
+  if (!objective.evaluate(span_of(at), value, gradient.data())) return;
   for (Index i = 0; i < at.size(); ++i) {
     const auto k = static_cast<std::size_t>(i);
     for (const double end : {objective.low[k], objective.high[k]}) {
-      if (!std::isfinite(end) || std::abs(at[i] - end) > 1e-2) continue;
+      const bool falls = (end - at[i]) * gradient[i] < 0;
+      if (!std::isfinite(end) || (std::abs(at[i] - end) > 1e-2 && !falls)) continue;
       VectorXd moved = at;
       moved[i] = end;
-      if (objective.value(span_of(moved)) <= objective.value(span_of(at))) at = moved;
+      const double there = objective.value(span_of(moved));
+      if (there > value) continue;
+      at = moved;
+      value = there;
     }
   }
+}
+
+/// Newton's steps while they shrink.
+Minimum newton(const Objective& objective, VectorXd at) {
+  Local local(objective, at);
+  std::vector<bool> stays = ends(objective, at, local.gradient);
+  double size = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < newton_steps && local.exists; ++i) {
+    const VectorXd step = newton_step(local, stays);
+    const double next = step.lpNorm<Eigen::Infinity>();
+    if (!(next < size)) break;  // steps no longer shrink, or there is no curvature to follow
+    size = next;
+    const VectorXd moved = at + step;
+    Local there(objective, moved);
+    if (!there.exists || there.value > local.value + 1e-9 * std::max(1.0, std::abs(local.value))) break;
+    at = moved;
+    local = std::move(there);
+    stays = ends(objective, at, local.gradient);
+    if (size < small_step) break;
+  }
+  const bool at_end = std::ranges::any_of(stays, [](bool stay) { return stay; });
+  const auto span = span_of(at);
+  return {Point(span.begin(), span.end()), local.value,
+          std::vector<double>(local.curvature.data(), local.curvature.data() + local.curvature.size()),
+          local.exists && size < 1e-6, at_end};
 }
 
 }  // namespace
@@ -144,27 +198,16 @@ std::vector<double> Minimum::covariance() const {
 Minimum minimise(const Objective& objective, const Point& start) {
   RAMIFY_EXPECTS(objective.contains(start));
   VectorXd at = searched(objective, start);
+  if (Minimum found = newton(objective, at); found.converged && !found.at_end) return found;
   settle(objective, at);
-  Local local(objective, at);
-  std::vector<bool> stays = ends(objective, at, local.gradient);
-  double size = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < newton_steps && local.exists; ++i) {
-    const VectorXd step = newton_step(local, stays);
-    const double next = step.lpNorm<Eigen::Infinity>();
-    if (!(next < size)) break;  // steps no longer shrink, or there is no curvature to follow
-    size = next;
-    const VectorXd moved = at + step;
-    if (objective.value(span_of(moved)) > local.value + 1e-9 * std::max(1.0, std::abs(local.value))) break;
-    at = moved;
-    local = Local(objective, at);
-    stays = ends(objective, at, local.gradient);
-    if (size < 1e-10) break;
-  }
-  const bool at_end = std::ranges::any_of(stays, [](bool stay) { return stay; });
-  const auto span = span_of(at);
-  return {Point(span.begin(), span.end()), local.value,
-          std::vector<double>(local.curvature.data(), local.curvature.data() + local.curvature.size()),
-          local.exists && size < 1e-6, at_end};
+  return newton(objective, std::move(at));
+}
+
+Minimum minimise_near(const Objective& objective, const Point& start) {
+  RAMIFY_EXPECTS(objective.contains(start));
+  Minimum found =
+      newton(objective, Eigen::Map<const VectorXd>(start.data(), static_cast<Index>(start.size())));
+  return found.converged ? found : minimise(objective, start);
 }
 
 std::vector<Minimum> minima(const Objective& objective, std::span<const Point> starts) {

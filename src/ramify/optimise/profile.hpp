@@ -19,8 +19,12 @@ struct ProfileInterval {
 inline constexpr double rise_of_95 = 1.9207294103470627;
 
 /// All values of one parameter around a minimum at which the function, minimised over the other parameters,
-/// is at most `rise` above the minimum: the profile interval. Cost: some 12 minimisations an end.
+/// is at most `rise` above the minimum: the profile interval. Cost: some 6 minimisations an end, each from
+/// the minimum before.
+/// @param further  other values of the other parameters (all but this one) from which they are minimised too
+/// at the
+///                 ends found, where their own path may have missed a lower minimum
 ProfileInterval profile_interval(const Objective& objective, const Minimum& minimum, std::size_t parameter,
-                                 double rise = rise_of_95);
+                                 double rise = rise_of_95, std::span<const Point> further = {});
 
 }  // namespace ramify

@@ -1,0 +1,61 @@
+#include "ramify/family/observed_splits.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+#include <fmt/format.h>
+
+#include "ramify/core/error.hpp"
+
+namespace ramify {
+
+ObservedSplits::ObservedSplits(const Tree& tree, std::string_view where) {
+  std::vector<Size> sizes;  // of subtrees that wait for their parent: the word is read backwards
+  for (std::size_t node = tree.node_count(); node-- > 0;) {
+    if (tree.arity(node) == 0) {
+      sizes.push_back(0);
+      continue;
+    }
+    if (tree.arity(node) != 2)
+      throw Error(fmt::format("{}: a node with {} children", where, tree.arity(node)),
+                  "splits are those of binary trees", "contract one-child nodes, resolve forks of three");
+    const Size one = sizes.back();
+    sizes.pop_back();
+    const Size other = sizes.back();
+    sizes.back() = one + other + 1;
+    if (sizes.back() >= smallest_size) splits_.push_back({std::min(one, other), std::max(one, other), 1});
+  }
+  tree_sizes_.push_back(sizes.empty() ? 0 : sizes.back());
+  merge_equal();
+}
+
+void ObservedSplits::add(const ObservedSplits& others) {
+  splits_.insert(splits_.end(), others.splits_.begin(), others.splits_.end());
+  tree_sizes_.insert(tree_sizes_.end(), others.tree_sizes_.begin(), others.tree_sizes_.end());
+  merge_equal();
+}
+
+void ObservedSplits::merge_equal() {
+  const auto key = [](const ObservedSplit& split) { return std::tuple(split.size(), split.smaller); };
+  std::ranges::sort(splits_, {}, key);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < splits_.size(); ++i) {
+    if (kept > 0 && key(splits_[kept - 1]) == key(splits_[i]))
+      splits_[kept - 1].count += splits_[i].count;
+    else
+      splits_[kept++] = splits_[i];
+  }
+  splits_.resize(kept);
+}
+
+double ObservedSplits::nodes() const {
+  return std::accumulate(tree_sizes_.begin(), tree_sizes_.end(), 0.0);
+}
+
+double ObservedSplits::choices() const {
+  return std::accumulate(splits_.begin(), splits_.end(), 0.0,
+                         [](double sum, const ObservedSplit& split) { return sum + split.count; });
+}
+
+}  // namespace ramify

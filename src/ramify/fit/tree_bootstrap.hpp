@@ -1,0 +1,20 @@
+#pragma once
+
+#include "ramify/core/cancellation.hpp"
+#include "ramify/family/observed_splits.hpp"
+#include "ramify/fit/bootstrap.hpp"
+
+namespace ramify {
+
+/// Parametric bootstrap of a fit to whole trees: trees of the fitted model at the sizes observed, each fitted
+/// as those were, into fit.bootstrap and fit.goodness.
+///
+/// Replicate r of tree t (from 0) is replicate t B + r of `ramify sample` of the fitted model at this size
+/// and seed; the result is the same whatever the threads. Trees whose fit does not converge are left out, and
+/// counted in the note. The statistic of goodness is lack_of_fit(); its p-value is (1 + number of trees that
+/// lack more) / (B + 1), and among equals the place is drawn. Throws Interrupted.
+/// Cost, a tree: growing, some 40 ns a node, and a fit without intervals.
+void bootstrap_tree_fit(FamilyFit& fit, const ObservedSplits& observed, const BootstrapPlan& plan,
+                        unsigned threads, const Cancellation& cancellation);
+
+}  // namespace ramify

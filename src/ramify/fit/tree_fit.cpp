@@ -1,0 +1,77 @@
+#include "ramify/fit/tree_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "ramify/core/error.hpp"
+#include "ramify/fit/tree_bootstrap.hpp"
+
+namespace ramify {
+namespace {
+
+/// Whether a family can be told from these splits at all.
+void require_enough(const Family& family, const ObservedSplits& splits, const std::string& where) {
+  const std::size_t needed = std::max<std::size_t>(1, family.parameters.size());
+  if (splits.choices() >= static_cast<double>(needed)) return;
+  throw Error(
+      fmt::format("{}: {:g} internal nodes, {:g} of which divide in more ways than one", where,
+                  splits.nodes(), splits.choices()),
+      fmt::format("{} needs {} of them: trees of {} internal nodes are the smallest that can be fitted",
+                  family.name, needed, smallest_tree(family)),
+      "take a larger tree, or several pooled");
+}
+
+TreeFit fit_of(std::string name, const ObservedSplits& splits, std::span<const Family* const> families,
+               const TreeFitOptions& options, const Cancellation& cancellation) {
+  TreeFit fit{std::move(name), splits.nodes(), {}};
+  for (const Family* family : families) require_enough(*family, splits, fit.name);
+  for (const Family* family : families) {
+    if (cancellation.requested()) throw Interrupted();
+    FamilyFit& one =
+        fit.families.emplace_back(fit_family(*family, tree_objective(*family, splits), splits.nodes()));
+    if (options.bootstrap.trees > 0 && one.converged)
+      bootstrap_tree_fit(one, splits, options.bootstrap, options.threads, cancellation);
+  }
+  std::ranges::stable_sort(fit.families, {}, &FamilyFit::aic);
+  return fit;
+}
+
+}  // namespace
+
+Size smallest_tree(const Family& family) {
+  return ObservedSplits::smallest_size - 1 + std::max<Size>(1, family.parameters.size());
+}
+
+Objective tree_objective(const Family& family, const ObservedSplits& splits) {
+  SearchBox box = search_box(family);
+  for (std::size_t i = 0; i < family.parameters.size(); ++i) {
+    if (family.parameters[i].scale.kind == SearchScale::Kind::plain) continue;
+    box.low[i] -= std::log(10);
+    box.high[i] += std::log(10);
+  }
+  return {family.of_splits(splits), std::move(box.low), std::move(box.high)};
+}
+
+std::vector<TreeFit> fit_trees(std::span<const RecordedTree> trees, std::span<const Family* const> families,
+                               const TreeFitOptions& options, const Cancellation& cancellation) {
+  std::vector<TreeFit> fits;
+  ObservedSplits all;
+  for (const RecordedTree& tree : trees) {
+    const ObservedSplits splits(tree.tree, tree.name);
+    if (options.pooled)
+      all.add(splits);
+    else
+      fits.push_back(fit_of(tree.name, splits, families, options, cancellation));
+  }
+  if (options.pooled && !trees.empty()) {
+    const std::string name =
+        trees.size() == 1 ? trees[0].name : fmt::format("{} and {} more", trees[0].name, trees.size() - 1);
+    fits.push_back(fit_of(name, all, families, options, cancellation));
+  }
+  return fits;
+}
+
+}  // namespace ramify
