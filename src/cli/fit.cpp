@@ -11,6 +11,7 @@
 #include "ramify/fit/model_fit_table.hpp"
 #include "ramify/fit/model_fits.hpp"
 #include "ramify/fit/ratio_fitter.hpp"
+#include "ramify/format/binary_trees.hpp"
 #include "ramify/format/order_counts.hpp"
 #include "ramify/format/read_trees.hpp"
 #include "ramify/io/csv_writer.hpp"
@@ -21,27 +22,41 @@ namespace {
 
 struct FitArguments {
   std::vector<std::string> files;
-  std::string model, observable = "auto", n, seed = "1996", bootstrap = "0", threads, format = "auto";
+  std::string model, observable = "auto", n, seed = "1996", bootstrap = "0", threads, format = "auto", root,
+                     resolve;
+  bool pooled = false;
   Output output;
 };
 
 /// What a file is fitted by.
-enum class Observable { ratio, orders };
+enum class Observable { ratio, orders, tree };
 
-Observable observable_of(const FitArguments& options, const std::string& text) {
-  if (options.observable == "ratio") return Observable::ratio;
-  if (options.observable == "orders") return Observable::orders;
-  return is_order_table(text) ? Observable::orders : Observable::ratio;
+constexpr std::array<std::string_view, 3> observable_names{"ratio", "orders", "tree"};
+
+/// What a file holds.
+Observable content_of(const std::string& text) {
+  if (is_order_table(text)) return Observable::orders;
+  return is_ratio_table(text) ? Observable::ratio : Observable::tree;
 }
 
-/// The one observable of all files: tables of the two have different columns.
+Observable observable_of(const FitArguments& options, const std::string& text) {
+  const auto named = std::ranges::find(observable_names, options.observable);
+  if (named == observable_names.end()) return content_of(text);
+  return static_cast<Observable>(named - observable_names.begin());
+}
+
+/// The one observable of all files: tables of ratios have other columns, and likelihoods of trees and of
+/// counts are not compared.
 Observable observable_of(const FitArguments& options, const std::vector<std::string>& texts) {
   const Observable first = observable_of(options, texts.front());
-  for (std::size_t i = 1; i < texts.size(); ++i)
-    if (observable_of(options, texts[i]) != first)
-      throw Error(fmt::format("{} and {}", options.files[0], options.files[i]),
-                  "one holds ratios and the other counts of streams",
-                  "fit them one by one, or add --observable ratio");
+  for (std::size_t i = 1; i < texts.size(); ++i) {
+    const Observable other = observable_of(options, texts[i]);
+    if (other != first)
+      throw Error(fmt::format("{} is fitted by its {}, {} by its {}", options.files[0],
+                              observable_names[static_cast<std::size_t>(first)], options.files[i],
+                              observable_names[static_cast<std::size_t>(other)]),
+                  "a table holds fits of one kind", "fit them one by one, or name one with --observable");
+  }
   return first;
 }
 
@@ -55,10 +70,10 @@ FitOptions ratio_options(const FitArguments& options) {
 }
 
 void require_known(const FitArguments& options) {
-  constexpr std::array<std::string_view, 3> observables{"auto", "ratio", "orders"};
-  if (std::ranges::find(observables, options.observable) == observables.end())
+  if (options.observable != "auto" &&
+      std::ranges::find(observable_names, options.observable) == observable_names.end())
     throw Error(fmt::format("--observable {}", options.observable), "not an observable that fit knows",
-                "take ratio, orders, or auto");
+                "take ratio, orders, tree, or auto");
   if (options.format != "auto" && options.format != "table" && options.format != "csv")
     throw Error(fmt::format("--format {}", options.format), "not a format that fit writes",
                 "take table, csv, or auto");
@@ -90,7 +105,8 @@ ExitCode fit_ratios(const FitArguments& options, const std::vector<std::string>&
 
 ModelFitOptions model_options(const FitArguments& options) {
   if (!options.n.empty())
-    throw Error(fmt::format("--n {}", options.n), "a table of counts says its n itself: tips less one",
+    throw Error(fmt::format("--n {}", options.n),
+                "a tree, or a table of counts, says its n itself: tips less one",
                 "leave it out, or fit the ratio with --observable ratio");
   ModelFitOptions fit;
   fit.families = chosen_families(options.model.empty() ? "all" : options.model);
@@ -104,22 +120,38 @@ ModelFitOptions model_options(const FitArguments& options) {
   return fit;
 }
 
-ExitCode fit_orders(const FitArguments& options, const std::vector<std::string>& texts,
+/// The trees of a file, binary.
+std::vector<RecordedTree> trees_of(const FitArguments& options, const std::string& text,
+                                   const std::string& file) {
+  Remarks remarks;
+  auto trees = read_trees(text, file, std::nullopt, {options.root, 0}, remarks);
+  for (const auto& line : remarks.lines(file)) fmt::print(stderr, "ramify: warning: {}\n", line);
+  return binary_trees(
+      std::move(trees), file,
+      {options.resolve, read_count("--seed", options.seed), "trees of all families are binary"});
+}
+
+std::vector<FittedDatum> fit_file(const FitArguments& options, Observable observable, const std::string& text,
+                                  const std::string& file, const ModelFitOptions& how,
+                                  const Cancellation& cancellation) {
+  if (observable == Observable::tree)
+    return fit_whole_trees(trees_of(options, text, file), file, options.pooled, how, cancellation);
+  if (!is_order_table(text) && content_of(text) == Observable::tree)
+    return fit_order_counts(order_counts_of(trees_of(options, text, file)), file, how, cancellation);
+  const auto tables = read_order_counts(SourceText(text, file));
+  for (const auto& table : tables)
+    for (const auto& warning : table.warnings) fmt::print(stderr, "ramify: warning: {}\n", warning);
+  return fit_order_counts(tables, file, how, cancellation);
+}
+
+ExitCode fit_models(const FitArguments& options, Observable observable, const std::vector<std::string>& texts,
                     const Cancellation& cancellation) {
-  const ModelFitOptions fit = model_options(options);
+  const ModelFitOptions how = model_options(options);
   std::vector<FittedDatum> data;
-  for (std::size_t i = 0; i < texts.size(); ++i) {
-    const auto tables = read_order_counts(SourceText(texts[i], options.files[i]));
-    for (const auto& table : tables)
-      for (const auto& warning : table.warnings) fmt::print(stderr, "ramify: warning: {}\n", warning);
-    for (auto& datum : fit_order_counts(tables, options.files[i], fit, cancellation))
+  for (std::size_t i = 0; i < texts.size(); ++i)
+    for (auto& datum : fit_file(options, observable, texts[i], options.files[i], how, cancellation))
       data.push_back(std::move(datum));
-  }
-  const Table table = model_fit_table(data);
-  if (is_for_reading(options))
-    emit(model_fit_text(data), options.output);
-  else
-    emit(write_csv(table), options.output);
+  emit(is_for_reading(options) ? model_fit_text(data) : write_csv(model_fit_table(data)), options.output);
   return any_not_converged(data) ? ExitCode::no_convergence : ExitCode::done;
 }
 
@@ -127,8 +159,9 @@ ExitCode fit(const FitArguments& options, const Cancellation& cancellation) {
   require_known(options);
   std::vector<std::string> texts;
   for (const auto& file : options.files) texts.push_back(read_tree_file(file));
-  return observable_of(options, texts) == Observable::ratio ? fit_ratios(options, texts, cancellation)
-                                                            : fit_orders(options, texts, cancellation);
+  const Observable observable = observable_of(options, texts);
+  return observable == Observable::ratio ? fit_ratios(options, texts, cancellation)
+                                         : fit_models(options, observable, texts, cancellation);
 }
 
 }  // namespace
@@ -137,17 +170,23 @@ void add_fit(Program& program) {
   auto options = std::make_shared<FitArguments>();
   Verb verb =
       program.verb("fit", "Fit models to measured trees: to counts of streams, or to a bifurcation ratio");
-  verb.option("data", options->files,
-              "CSV: stream counts (order,count) or ratios (name,ratio,max_order,branches)", Need::required);
+  verb.option(
+      "data", options->files,
+      "trees as measure reads them, CSV of stream counts (order,count) or of ratios (name,ratio,branches)",
+      Need::required);
   verb.option("--model", options->model,
               "families to fit, NAME[,NAME..] or all; see: ramify list families. Of a ratio patricia or dst");
   verb.option(
       "--observable", options->observable,
-      "what is fitted: orders (counts of streams by their likelihood), ratio; auto: what the file holds",
+      "what is fitted: tree (its splits), orders (its counts of streams), ratio; auto: what the file holds",
       Need::defaulted);
   verb.option("--bootstrap", options->bootstrap,
               "trees of every fitted model that are fitted again: intervals, bias, goodness",
               Need::defaulted);
+  verb.flag("--pooled", options->pooled, "one fit of all trees of a file, and not one of each");
+  verb.option("--root", options->root, "of a table with trees: the id of the root, all, or neurites");
+  verb.option("--resolve", options->resolve,
+              "make forks of three and more into forks of two: ladder (in their order) or random");
   verb.option("--n", options->n, "internal nodes, in place of the size in a table of ratios");
   verb.option("--seed", options->seed, "seed", Need::defaulted);
   verb.option("--threads", options->threads,

@@ -1,15 +1,14 @@
-#include <algorithm>
 #include <memory>
+#include <utility>
 
 #include "session.hpp"
 #include "verbs.hpp"
 #include <fmt/format.h>
 
 #include "ramify/compare/tree_comparison.hpp"
+#include "ramify/format/binary_trees.hpp"
 #include "ramify/format/read_trees.hpp"
 #include "ramify/text/read_count.hpp"
-#include "ramify/tree/contract_unary.hpp"
-#include "ramify/tree/resolve_forks.hpp"
 
 namespace ramify::cli {
 namespace {
@@ -20,19 +19,6 @@ struct TestArguments {
   Output output;
 };
 
-/// Throws Error where trees have forks of three or more, naming the first.
-void require_no_wide_forks(const Model& model, const std::vector<RecordedTree>& trees,
-                           const std::string& file) {
-  const auto is_wide = [](const RecordedTree& tree) { return wide_forks(tree.tree) > 0; };
-  const auto first = std::ranges::find_if(trees, is_wide);
-  if (first == trees.end()) return;
-  throw Error(
-      fmt::format("{}: {} of {} trees have forks of three or more, first {} with {} of them", file,
-                  std::ranges::count_if(trees, is_wide), trees.size(), first->name, wide_forks(first->tree)),
-      fmt::format("trees of {} are binary", model.text()),
-      "resolve them with --resolve ladder or --resolve random, or leave these trees out");
-}
-
 /// The trees of a file, without one-child nodes where those of the model have none.
 std::vector<RecordedTree> trees_for(const Model& model, const TestArguments& options,
                                     const std::string& file) {
@@ -41,14 +27,8 @@ std::vector<RecordedTree> trees_for(const Model& model, const TestArguments& opt
       read_trees(read_tree_file(file), file, parse_tree_format(options.format), {options.root, 0}, remarks);
   for (const auto& line : remarks.lines(file)) fmt::print(stderr, "ramify: warning: {}\n", line);
   if (!model.is_split()) return trees;
-  for (std::size_t i = 0; i < trees.size(); ++i) {
-    trees[i] = contract_unary(std::move(trees[i]));
-    if (options.resolve.empty()) continue;
-    Stream stream({read_count("--seed", options.seed), 0}, i);
-    trees[i] = resolve_forks(std::move(trees[i]), parse_fork_resolution(options.resolve), stream);
-  }
-  require_no_wide_forks(model, trees, file);
-  return trees;
+  const std::string because = fmt::format("trees of {} are binary", model.text());
+  return binary_trees(std::move(trees), file, {options.resolve, read_count("--seed", options.seed), because});
 }
 
 std::string method_of(const ComparedStatistic& of, const Simulation& simulation) {

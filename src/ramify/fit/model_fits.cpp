@@ -8,6 +8,8 @@
 
 #include "ramify/core/error.hpp"
 #include "ramify/fit/count_fit.hpp"
+#include "ramify/fit/tree_fit.hpp"
+#include "ramify/measure/tree_measurement.hpp"
 #include "ramify/text/trimmed.hpp"
 
 namespace ramify {
@@ -48,9 +50,11 @@ FamilyFit fit_counts(const Family& family, const ObservedCounts& counts, const M
   return fit;
 }
 
-/// A name without the folder that its file lies in.
-std::string short_name(const OrderCounts& table, std::string_view file) {
-  return std::filesystem::path(file).stem().string() + table.name.substr(file.size());
+/// A name that begins with its file, without the folder that this lies in and what it ends on.
+std::string short_name(std::string_view name, std::string_view file) {
+  const bool begins = name.starts_with(file);
+  return std::filesystem::path(begins ? file : name).stem().string() +
+         std::string(begins ? name.substr(file.size()) : "");
 }
 
 }  // namespace
@@ -86,7 +90,7 @@ std::vector<FittedDatum> fit_order_counts(std::span<const OrderCounts> tables, s
     require_counts(table);
     const ObservedCounts counts{table.counts};
     const std::size_t orders = counts.reading().orders;
-    FittedDatum datum{short_name(table, file),
+    FittedDatum datum{short_name(table.name, file),
                       "orders",
                       counts.n(),
                       fmt::format("counts of orders {}..{} and the order", 1, orders),
@@ -98,6 +102,26 @@ std::vector<FittedDatum> fit_order_counts(std::span<const OrderCounts> tables, s
     rank(datum.fits);
     data.push_back(std::move(datum));
   }
+  return data;
+}
+
+std::vector<OrderCounts> order_counts_of(std::span<const RecordedTree> trees) {
+  std::vector<OrderCounts> tables;
+  for (const RecordedTree& tree : trees) {
+    const MeasuredOrders orders = measure_orders(tree);
+    tables.push_back({orders.name, 0, orders.streams, {}, {}, {}});
+  }
+  return tables;
+}
+
+std::vector<FittedDatum> fit_whole_trees(std::span<const RecordedTree> trees, std::string_view file,
+                                         bool pooled, const ModelFitOptions& options,
+                                         const Cancellation& cancellation) {
+  const TreeFitOptions how{pooled, {options.bootstrap_trees, options.seed}, options.threads};
+  std::vector<FittedDatum> data;
+  for (TreeFit& fit : fit_trees(trees, options.families, how, cancellation))
+    data.push_back({short_name(fit.name, file), "tree", static_cast<Size>(fit.nodes),
+                    fmt::format("the splits of {:.0f} nodes", fit.nodes), std::move(fit.families)});
   return data;
 }
 

@@ -10,6 +10,7 @@
 #include "ramify/core/cancellation.hpp"
 #include "ramify/fit/family_fit.hpp"
 #include "ramify/format/order_counts.hpp"
+#include "ramify/tree/recorded_tree.hpp"
 
 namespace ramify {
 
@@ -42,6 +43,16 @@ std::vector<const Family*> chosen_families(std::string_view names);
 /// @param file  that the tables come from: what their names begin with
 std::vector<FittedDatum> fit_order_counts(std::span<const OrderCounts> tables, std::string_view file,
                                           const ModelFitOptions& options, const Cancellation& cancellation);
+
+/// The stream counts of trees, as a table of them would hold them.
+std::vector<OrderCounts> order_counts_of(std::span<const RecordedTree> trees);
+
+/// Fits families to whole trees by the exact likelihood of their splits (tree_fit.hpp), each by itself or,
+/// where `pooled` is asked for, all together. Throws Error, Interrupted.
+/// @param trees  binary
+std::vector<FittedDatum> fit_whole_trees(std::span<const RecordedTree> trees, std::string_view file,
+                                         bool pooled, const ModelFitOptions& options,
+                                         const Cancellation& cancellation);
 
 /// Ranks fits: by AIC, those without a likelihood last.
 void rank(std::vector<FamilyFit>& fits);

@@ -52,6 +52,10 @@ struct RatioDatum {
 /// counts that do not fall.
 std::vector<RatioDatum> read_ratio_data(const std::filesystem::path& path);
 
+/// The text is a table of published ratios, or one of counts that lacks a column: its header has a ratio, an
+/// order or a count.
+bool is_ratio_table(std::string_view text);
+
 /// The same from text; name is used in messages, and names the datum of a count table.
 std::vector<RatioDatum> parse_ratio_data(std::string_view text, std::string_view name);
 
