@@ -39,14 +39,14 @@ std::vector<const Family*> chosen(std::initializer_list<const char*> names) {
 /// Maxima, standard errors and profile intervals of a program of 30 digits.
 TEST(FitTree, AldousIsThatOfThirtyDigits) {
   RAMIFY_NEEDS_SHARED_FILES();
-  const std::string folder = test::shared_file("../peers/");
-  const CsvData peers = CsvData::read(folder + "beta.csv");
+  const std::string peers_folder = test::shared_file("../peers/");
+  const CsvData peers = CsvData::read(peers_folder + "beta.csv");
   std::size_t compared = 0;
   for (std::size_t row = 0; row < peers.rows(); ++row) {
     if (!peers.at(row, "peer").starts_with("definition")) continue;
     const std::string name(peers.at(row, "tree"));
     const FamilyFit fit =
-        fitted_family("aldous", test::tree_of(read_text_file(folder + "trees/" + name)).tree);
+        fitted_family("aldous", test::tree_of(read_text_file(peers_folder + "trees/" + name)).tree);
     const FittedParameter& beta = fit.parameters[0];
     EXPECT_TRUE(fit.converged && !fit.at_end && !beta.lower_open && !beta.upper_open) << name;
     EXPECT_NEAR(beta.estimate, peers.real(row, "beta"), 1e-7) << name;

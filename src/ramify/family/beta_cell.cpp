@@ -50,10 +50,33 @@ struct CellDensity {
   double log_rest(double t) const { return std::log((j + 1 - t) / n); }
   double operator()(double t) const { return (a - 1) * log_x(t) + (b - 1) * log_rest(t); }
 
-  /// Its largest value in the cell.
-  double largest() const {
-    const double mode = a > 1 && b > 1 ? std::clamp((a - 1) * n / (a + b - 2) - i, 0.0, 1.0) : 0;
-    return std::max({(*this)(0), (*this)(1), (*this)(mode)});
+  /// Where it is largest: it has one mode, or falls from an end, or has changed little.
+  double mode() const {
+    if (a > 1 && b > 1) return std::clamp((a - 1) * n / (a + b - 2) - i, 0.0, 1.0);
+    return (*this)(0) >= (*this)(1) ? 0 : 1;
+  }
+};
+
+/// The integral of a density over its largest value, and those of its derivatives, panel by panel.
+struct CellSum {
+  const CellDensity& density;
+  double largest, panels;
+  double sum = 0, by_a = 0, by_b = 0;
+
+  /// Whether the panel adds anything.
+  bool add(double panel) {
+    const CellRule& rule = CellRule::get();
+    const double before = sum;
+    for (std::size_t q = 0; q < CellRule::points; ++q) {
+      const double t = (panel + rule.at[q]) / panels;
+      const double log_x = density.log_x(t), log_rest = density.log_rest(t);
+      const double part =
+          rule.weight[q] / panels * std::exp((density.a - 1) * log_x + (density.b - 1) * log_rest - largest);
+      sum += part;
+      by_a += part * log_x;
+      by_b += part * log_rest;
+    }
+    return sum > before;
   }
 };
 
@@ -94,19 +117,14 @@ LogCell log_cell(const LogBeta& beta, double i, double j) {
   if (i == 0) return first_cell(beta, n);
   const CellDensity density{beta.a, beta.b, i, j, n};
   const auto panels = static_cast<double>(panels_needed(beta.a, beta.b, i, j));
-  const CellRule& rule = CellRule::get();
-  const double largest = density.largest();
-  double sum = 0, by_a = 0, by_b = 0;
-  for (double panel = 0; panel < panels; ++panel)
-    for (std::size_t q = 0; q < CellRule::points; ++q) {
-      const double t = (panel + rule.at[q]) / panels, log_x = density.log_x(t),
-                   log_rest = density.log_rest(t);
-      const double part = rule.weight[q] * std::exp((beta.a - 1) * log_x + (beta.b - 1) * log_rest - largest);
-      sum += part;
-      by_a += part * log_x;
-      by_b += part * log_rest;
-    }
-  return {largest + std::log(sum / panels / n) - beta.value, by_a / sum - beta.by_a, by_b / sum - beta.by_b};
+  const double mode = density.mode(), middle = std::min(panels - 1, std::floor(mode * panels));
+  CellSum part{density, density(mode), panels};
+  for (double panel = middle; panel < panels && part.add(panel); ++panel) {
+  }
+  for (double panel = middle - 1; panel >= 0 && part.add(panel); --panel) {
+  }
+  return {part.largest + std::log(part.sum / n) - beta.value, part.by_a / part.sum - beta.by_a,
+          part.by_b / part.sum - beta.by_b};
 }
 
 }  // namespace ramify

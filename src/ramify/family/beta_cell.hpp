@@ -45,7 +45,8 @@ inline constexpr double surely_even = 4;
 /// below 1e-10.
 ///
 /// i = 0: h^a (1-h)^b / (a B(a,b)) sum of (a+b)_k/(a+1)_k h^k, h = 1/n (DLMF 8.17.8, whose terms are all
-/// positive), term by term. Otherwise by the rule on the panels needed.
+/// positive), term by term. Otherwise by the rule on the panels needed, from the mode
+/// outwards while they add anything.
 LogCell log_cell(const LogBeta& beta, double i, double j);
 
 }  // namespace ramify

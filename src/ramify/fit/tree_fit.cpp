@@ -48,7 +48,7 @@ Size smallest_tree(const Family& family) {
 Objective tree_objective(const Family& family, const ObservedSplits& splits) {
   SearchBox box = search_box(family);
   for (std::size_t i = 0; i < family.parameters.size(); ++i) {
-    if (family.parameters[i].scale.kind == SearchScale::Kind::plain) continue;
+    if (family.parameters[i].scale.kind == SearchScale::Kind::plain || family.parameters.size() > 1) continue;
     box.low[i] -= std::log(10);
     box.high[i] += std::log(10);
   }
