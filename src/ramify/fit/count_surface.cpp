@@ -20,7 +20,8 @@ constexpr double least_mean = 1e-12;      // below, a count is taken to be that
 constexpr double least_rest = 1e-9;       // of a variance, where rounding leaves none
 constexpr double any_order = 1e-5;  // added to P(S = s), whose tails fall too fast to be read between places
 constexpr double dense = 5;         // a mean count that a Gaussian likelihood may be asked about
-constexpr double part_of_error = 0.05;  // what a reading may err by, of one tree's standard deviation
+constexpr double part_of_error = 0.02;  // what a reading may err by, of one tree's standard deviation
+constexpr double seam_reach = 0.04;     // of a panel, on either side of where it meets the next
 constexpr double narrowest = 1e-3;      // a panel that is not halved again
 
 // Of two shapes of a beta law: log(a/b) and log(a+b).
@@ -223,15 +224,38 @@ std::size_t CountSurface::index_of(std::size_t quantity, const CountReading& rea
   return is_order ? CountReading::row(orders_ + 1) + reading.top : quantity;
 }
 
+/// One panel; beside a seam of one parameter both, so that what is read has no kink there.
+std::vector<CountSurface::Share> CountSurface::shares_at(const Point& place) const {
+  const std::size_t at = panel_at(place);
+  const Point still(place.size(), 0.0);
+  if (place.size() != 1) return {{at, 1, still}};
+  const double x = place[0], low = panels_[at].low[0], high = panels_[at].high[0];
+  const bool is_low = x - low < high - x;
+  const double seam = is_low ? low : high;
+  if (seam <= panels_[0].low[0] || seam >= panels_[0].high[0]) return {{at, 1, still}};
+  const std::size_t other = panel_at({is_low ? low : std::nextafter(high, panels_[0].high[0])});
+  const double reach = seam_reach * std::min(high - low, panels_[other].high[0] - panels_[other].low[0]);
+  if (std::abs(x - seam) >= reach) return {{at, 1, still}};
+  const double t = 0.5 + (x - seam) / (2 * reach);
+  const double upper = t * t * (3 - 2 * t), slope = 3 * t * (1 - t) / reach;
+  return {{is_low ? at : other, upper, {slope}}, {is_low ? other : at, 1 - upper, {-slope}}};
+}
+
 bool CountSurface::read(std::span<const double> searched, const CountReading& reading,
                         std::vector<double>& values, std::vector<double>& slopes) const {
   RAMIFY_EXPECTS(reading.orders <= orders_ && reading.top <= orders_);
-  const std::size_t dimensions = searched.size(), size = reading.size();
-  values.assign(size, 0.0);
-  slopes.assign(size * dimensions, 0.0);
+  values.assign(reading.size(), 0.0);
+  slopes.assign(reading.size() * searched.size(), 0.0);
   const Place place = place_of(searched);
   if (!holds(place.at)) return false;
-  const Panel& panel = panels_[panel_at(place.at)];
+  for (const Share& share : shares_at(place.at)) add_share(share, place, reading, values, slopes);
+  return true;
+}
+
+void CountSurface::add_share(const Share& share, const Place& place, const CountReading& reading,
+                             std::vector<double>& values, std::vector<double>& slopes) const {
+  const Panel& panel = panels_[share.panel];
+  const std::size_t dimensions = place.at.size(), size = reading.size();
   std::vector<std::vector<double>> polynomials(dimensions), derivatives(dimensions);
   for (std::size_t i = 0; i < dimensions; ++i) {
     const double half = (panel.high[i] - panel.low[i]) / 2;
@@ -249,16 +273,16 @@ bool CountSurface::read(std::span<const double> searched, const CountReading& re
       double slope = derivatives[i][power[i]];
       for (std::size_t j = 0; j < dimensions; ++j)
         if (j != i) slope *= polynomials[j][power[j]];
+      slope = share.weight * slope + share.slopes[i] * value;
       for (std::size_t j = 0; j < dimensions; ++j) along[j] += slope * place.slopes[i * dimensions + j];
     }
     const std::vector<double>& coefficients = panel.coefficients[c];
     for (std::size_t q = 0; q < size; ++q) {
       const double coefficient = coefficients[index_of(q, reading)];
-      values[q] += coefficient * value;
+      values[q] += coefficient * share.weight * value;
       for (std::size_t j = 0; j < dimensions; ++j) slopes[j * size + q] += coefficient * along[j];
     }
   }
-  return true;
 }
 
 std::vector<double> CountSurface::computed(std::span<const double> searched,
@@ -299,7 +323,7 @@ std::vector<double> CountSurface::errors(const Panel& panel, const CountReading&
   const std::size_t order = CountReading::row(orders_ + 1) + reading.top;
   double most = -std::numeric_limits<double>::infinity();
   for (const auto& node : panel.at_nodes) most = std::max(most, node[order]);
-  if (most > std::log(1e-6)) note(order, 5 * part_of_error);
+  if (most > std::log(1e-6)) note(order, 2 * part_of_error);
   return worst;
 }
 

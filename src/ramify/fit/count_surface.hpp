@@ -78,6 +78,16 @@ class CountSurface {
     std::vector<double> slopes;
   };
 
+  /// A panel's part of what is read at a place, and how it changes along the chart.
+  struct Share {
+    std::size_t panel;
+    double weight;
+    Point slopes;
+  };
+
+  std::vector<Share> shares_at(const Point& place) const;
+  void add_share(const Share& share, const Place& place, const CountReading& reading,
+                 std::vector<double>& values, std::vector<double>& slopes) const;
   Place place_of(std::span<const double> searched) const;
   Point searched_of(const Point& place) const;
   bool holds(const Point& place) const;
