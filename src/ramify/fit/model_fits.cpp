@@ -15,7 +15,8 @@
 namespace ramify {
 namespace {
 
-constexpr Size smallest_n = 20;  // below, counts above the tips are too few for a density
+constexpr double few_nodes = 100;  // of a tree: docs/validation.md
+constexpr Size smallest_n = 20;    // below, counts above the tips are too few for a density
 
 /// Counts that cannot be those of streams of a binary tree, or tell too little.
 void require_counts(const OrderCounts& table) {
@@ -119,9 +120,12 @@ std::vector<FittedDatum> fit_whole_trees(std::span<const RecordedTree> trees, st
                                          const Cancellation& cancellation) {
   const TreeFitOptions how{pooled, {options.bootstrap_trees, options.seed}, options.threads};
   std::vector<FittedDatum> data;
-  for (TreeFit& fit : fit_trees(trees, options.families, how, cancellation))
-    data.push_back({short_name(fit.name, file), "tree", static_cast<Size>(fit.nodes),
-                    fmt::format("the splits of {:.0f} nodes", fit.nodes), std::move(fit.families)});
+  for (TreeFit& fit : fit_trees(trees, options.families, how, cancellation)) {
+    std::string used = fmt::format("the splits of {:.0f} nodes", fit.nodes);
+    if (fit.nodes < few_nodes) used += ": few, so that estimates may be off by a third of their error";
+    data.push_back({short_name(fit.name, file), "tree", static_cast<Size>(fit.nodes), std::move(used),
+                    std::move(fit.families)});
+  }
   return data;
 }
 
