@@ -74,17 +74,6 @@ void draw(cairo_surface_t* surface, const Drawing& drawing, const Cancellation& 
   require(cairo_status(pen.get()));
 }
 
-std::string svg_of(const Drawing& drawing, const Cancellation& cancellation) {
-  std::string bytes;
-  const Surface surface(cairo_svg_surface_create_for_stream(append, &bytes, drawing.width, drawing.height),
-                        &cairo_surface_destroy);
-  cairo_svg_surface_set_document_unit(surface.get(), CAIRO_SVG_UNIT_PX);
-  draw(surface.get(), drawing, cancellation);
-  cairo_surface_finish(surface.get());
-  require(cairo_surface_status(surface.get()));
-  return bytes;
-}
-
 std::string png_of(const Drawing& drawing, const Cancellation& cancellation) {
   std::string bytes;
   const Surface surface(
@@ -97,6 +86,17 @@ std::string png_of(const Drawing& drawing, const Cancellation& cancellation) {
 }
 
 }  // namespace
+
+std::string svg_of(const Drawing& drawing, const Cancellation& cancellation) {
+  std::string bytes;
+  const Surface surface(cairo_svg_surface_create_for_stream(append, &bytes, drawing.width, drawing.height),
+                        &cairo_surface_destroy);
+  cairo_svg_surface_set_document_unit(surface.get(), CAIRO_SVG_UNIT_PX);
+  draw(surface.get(), drawing, cancellation);
+  cairo_surface_finish(surface.get());
+  require(cairo_surface_status(surface.get()));
+  return bytes;
+}
 
 DrawingFile::DrawingFile(std::filesystem::path path)
     : path_(std::move(path)), format_(picture_format(path_, "--output", "drawings")) {}

@@ -2,12 +2,16 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <string>
 
 #include "ramify/core/cancellation.hpp"
 #include "ramify/draw/drawing.hpp"
 #include "ramify/io/picture_format.hpp"
 
 namespace ramify {
+
+/// The drawing as an SVG document, by Cairo. Throws Error where Cairo fails, Interrupted when cancelled.
+std::string svg_of(const Drawing& drawing, const Cancellation& cancellation);
 
 /// A file for one drawing, SVG or PNG (a pixel a unit) as its name ends; by Cairo.
 class DrawingFile {

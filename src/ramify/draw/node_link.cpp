@@ -169,6 +169,17 @@ Form parse_form(const std::string& name) {
               did_you_mean(name, {"dendrogram", "upright"}) + "take dendrogram or upright");
 }
 
+bool has_drawable_lengths(const RecordedTree& tree) {
+  double sum = 0;
+  for (std::size_t node = 0; node < tree.lengths.size(); ++node) {
+    const double length = tree.lengths[node];
+    if (node == 0 && std::isnan(length)) continue;
+    if (!(length >= 0)) return false;
+    sum += length;
+  }
+  return !tree.lengths.empty() && std::isfinite(sum);
+}
+
 Drawing node_link_diagram(const RecordedTree& tree, const NodeLinkStyle& style) {
   return Diagram(tree, style).drawing();
 }

@@ -29,6 +29,9 @@ NodeLinkStyle::Form parse_form(const std::string& name);
 /// Throws Error where a length is not known, negative or infinite; the root's own may be unknown. O(nodes).
 Drawing node_link_diagram(const RecordedTree& tree, const NodeLinkStyle& style);
 
+/// Every length is known (but the root's), not negative, and so is their sum: the diagram can be to scale.
+bool has_drawable_lengths(const RecordedTree& tree);
+
 inline constexpr std::size_t most_named_tips = 300;
 
 }  // namespace ramify

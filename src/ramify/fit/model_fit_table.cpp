@@ -150,6 +150,8 @@ std::string decimal_text(double value, double error) {
   return fmt::format("{:.{}f}", value, std::max(0, 1 - static_cast<int>(std::floor(std::log10(error)))));
 }
 
+}  // namespace
+
 std::string estimate_text(const FittedParameter& parameter) {
   const std::string estimate = decimal_text(parameter.estimate, parameter.standard_error);
   return std::isnan(parameter.standard_error)
@@ -164,6 +166,8 @@ std::string interval_text(const FittedParameter& parameter) {
                      decimal_text(parameter.upper, parameter.standard_error),
                      parameter.upper_open ? " open" : "");
 }
+
+namespace {
 
 /// One row a parameter; those of the whole fit stand in its first.
 void add_lines(const FamilyFit& fit, double least_aic, Table& table) {
@@ -189,13 +193,17 @@ void add_lines(const FamilyFit& fit, double least_aic, Table& table) {
 
 }  // namespace
 
+Table model_fit_lines(const FittedDatum& datum) {
+  Table table({"model", "parameter", "estimate", "95 % interval", "AIC - best", "misfit p", "status"});
+  for (const FamilyFit& fit : datum.fits) add_lines(fit, datum.fits.front().aic(), table);
+  return table;
+}
+
 std::string model_fit_text(std::span<const FittedDatum> data) {
   std::string text;
   for (const FittedDatum& datum : data) {
     text += fmt::format("{}{}, n {}, from {}\n", text.empty() ? "" : "\n", datum.data, datum.n, datum.used);
-    Table table({"model", "parameter", "estimate", "95 % interval", "AIC - best", "misfit p", "status"});
-    for (const FamilyFit& fit : datum.fits) add_lines(fit, datum.fits.front().aic(), table);
-    text += write_text(table);
+    text += write_text(model_fit_lines(datum));
     for (const FamilyFit& fit : datum.fits) {
       std::string note = fit.note;
       for (const auto& other : fit.other_optima)

@@ -18,10 +18,11 @@ namespace {
 constexpr double few_nodes = 100;  // of a tree: docs/validation.md
 constexpr Size smallest_n = 20;    // below, counts above the tips are too few for a density
 
-/// Counts that cannot be those of streams of a binary tree, or tell too little.
+/// Throws Error where counts tell too little.
 void require_counts(const OrderCounts& table) {
-  if (table.counts.front() > smallest_n && table.counts.size() >= 3) return;
-  throw Error(fmt::format("{}: {} tips, {} orders", table.name, table.counts.front(), table.counts.size()),
+  const std::string few = too_few_to_fit(table);
+  if (few.empty()) return;
+  throw Error(fmt::format("{}: {}", table.name, few),
               fmt::format("a fit to counts takes {} tips and 3 orders at least", smallest_n + 1),
               "fit the tree itself, from a file of it");
 }
@@ -59,6 +60,11 @@ std::string short_name(std::string_view name, std::string_view file) {
 }
 
 }  // namespace
+
+std::string too_few_to_fit(const OrderCounts& table) {
+  if (table.counts.front() > smallest_n && table.counts.size() >= 3) return {};
+  return fmt::format("{} tips, {} orders", table.counts.front(), table.counts.size());
+}
 
 std::vector<const Family*> chosen_families(std::string_view names) {
   std::vector<const Family*> chosen;

@@ -36,6 +36,9 @@ struct FittedDatum {
 /// The families that `--model` names: one, several between commas, or all. Throws Error, nearest names given.
 std::vector<const Family*> chosen_families(std::string_view names);
 
+/// Why no family can be fitted to these counts: "40 tips, 2 orders"; empty where one can.
+std::string too_few_to_fit(const OrderCounts& table);
+
 /// Fits families to tables of stream counts (count_likelihood.hpp), one datum a tree.
 ///
 /// A family that cannot be fitted at a size is listed with a note that says why. Throws Error where a table

@@ -82,6 +82,11 @@ Row& Row::add(Real value) {
   return *this;
 }
 
+Row& Row::field(const Field& field) {
+  fields_.push_back(field);
+  return *this;
+}
+
 Table::Table(std::vector<std::string> columns) : columns_(std::move(columns)) {
   RAMIFY_EXPECTS(!columns_.empty());
 }
@@ -99,6 +104,29 @@ const Field& Table::at(std::size_t row, std::string_view column) const {
   const auto place = std::ranges::find(columns_, column);
   RAMIFY_EXPECTS(place != columns_.end());
   return fields_[row * columns_.size() + static_cast<std::size_t>(place - columns_.begin())];
+}
+
+bool Table::holds_numbers(std::size_t column) const {
+  bool some = false;
+  for (std::size_t r = 0; r < rows(); ++r) {
+    const Field& field = row(r)[column];
+    if (std::holds_alternative<std::string>(field)) return false;
+    some = some || is_number(field);
+  }
+  return some;
+}
+
+Table Table::selected(std::initializer_list<std::string_view> names) const {
+  std::vector<std::string> chosen;
+  for (const std::string_view name : names)
+    if (std::ranges::find(columns_, name) != columns_.end()) chosen.emplace_back(name);
+  Table result(chosen);
+  for (std::size_t r = 0; r < rows(); ++r) {
+    Row fields;
+    for (const std::string& name : chosen) fields.field(at(r, name));
+    result.add(std::move(fields));
+  }
+  return result;
 }
 
 }  // namespace ramify

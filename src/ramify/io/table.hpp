@@ -51,6 +51,8 @@ class Row {
   Row& fixed(double value, int decimals) { return add({value, Real::Notation::fixed, decimals}); }
   /// Reads back as the same double.
   Row& exact(double value) { return add({value, Real::Notation::exact}); }
+  /// As another table has it.
+  Row& field(const Field& field);
 
  private:
   friend class Table;
@@ -81,6 +83,10 @@ class Table {
   /// @param column  a name; the table has it
   const Field& at(std::size_t row, std::string_view column) const;
   double number(std::size_t row, std::string_view column) const { return to_number(at(row, column)); }
+  /// Numbers and nothing but them, where there is a field at all: such a column is set to the right.
+  bool holds_numbers(std::size_t column) const;
+  /// The columns of these names alone, as far as it has them, in their order here. One at least is there.
+  Table selected(std::initializer_list<std::string_view> names) const;
 
  private:
   std::vector<std::string> columns_;

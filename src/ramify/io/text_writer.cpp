@@ -48,21 +48,10 @@ std::vector<std::vector<std::string>> texts_of(const Table& table) {
   return rows;
 }
 
-/// Numbers and nothing but them, where there is a field at all.
-bool holds_numbers(const Table& table, std::size_t column) {
-  bool some = false;
-  for (std::size_t i = 0; i < table.rows(); ++i) {
-    const Field& field = table.row(i)[column];
-    if (std::holds_alternative<std::string>(field)) return false;
-    some = some || is_number(field);
-  }
-  return some;
-}
-
 std::vector<Column> measure(const Table& table, const std::vector<std::vector<std::string>>& rows) {
   std::vector<Column> columns;
   for (std::size_t c = 0; c < table.columns().size(); ++c) {
-    Column column{character_count(table.columns()[c]), holds_numbers(table, c)};
+    Column column{character_count(table.columns()[c]), table.holds_numbers(c)};
     for (const auto& row : rows) column.width = std::max(column.width, character_count(row[c]));
     columns.push_back(column);
   }

@@ -51,23 +51,29 @@ std::string bytes_of(const fs::path& path) {
 
 }  // namespace
 
+DrawnPlot draw_plot(const Plot& plot, PictureFormat format) {
+  const auto script = detail::plot_script(plot, "plot");
+  if (!script) return {{}, "there is no value to draw", "ask for other values"};
+  const char* ending = format == PictureFormat::svg ? "svg" : "png";
+  const ScratchFolder scratch;
+  write_file_atomically(scratch.path() / "plot.gp", fmt::format("formats = '{}'\n{}", ending, *script));
+  const auto result = detail::run_gnuplot(scratch.path(), "plot.gp");
+  if (result.exit_code == detail::not_installed) return {{}, "gnuplot is not installed", "install gnuplot"};
+  std::string picture = bytes_of(scratch.path() / fmt::format("plot.{}", ending));
+  if (result.exit_code != 0 || picture.empty())
+    return {{}, fmt::format("gnuplot failed: {}", result.output), "try another plot"};
+  return {std::move(picture), {}, {}};
+}
+
 PictureFile::PictureFile(fs::path path)
     : path_(std::move(path)), format_(picture_format(path_, "--plot", "pictures")) {}
 
 void PictureFile::draw(const Plot& plot) const {
-  const auto script = detail::plot_script(plot, "plot");
-  const std::string what = fmt::format("--plot {}", path_.string());
-  if (!script) throw Error(what, "there is no value to draw", "leave it out, or ask for other values");
-  const char* format = format_ == PictureFormat::svg ? "svg" : "png";
-  const ScratchFolder scratch;
-  write_file_atomically(scratch.path() / "plot.gp", fmt::format("formats = '{}'\n{}", format, *script));
-  const auto result = detail::run_gnuplot(scratch.path(), "plot.gp");
-  if (result.exit_code == detail::not_installed)
-    throw Error(what, "gnuplot is not installed", "install gnuplot, or leave --plot out");
-  const std::string picture = bytes_of(scratch.path() / fmt::format("plot.{}", format));
-  if (result.exit_code != 0 || picture.empty())
-    throw Error(what, fmt::format("gnuplot failed: {}", result.output), "leave --plot out");
-  write_file_atomically(path_, picture);
+  const DrawnPlot drawn = draw_plot(plot, format_);
+  if (drawn.bytes.empty())
+    throw Error(fmt::format("--plot {}", path_.string()), drawn.why_not,
+                fmt::format("{}, or leave --plot out", drawn.remedy));
+  write_file_atomically(path_, drawn.bytes);
 }
 
 }  // namespace ramify

@@ -1,0 +1,98 @@
+#include "ramify/page/markdown_writer.hpp"
+
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace ramify {
+namespace {
+
+/// A text that Markdown shows as it stands, in one line.
+std::string markdown_text(std::string_view text) {
+  constexpr std::string_view markup = "\\`*_[]<>|~&";
+  std::string escaped;
+  for (const char c : text) {
+    if (markup.find(c) != std::string_view::npos || (c == '#' && escaped.empty())) escaped += '\\';
+    escaped += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+  }
+  return escaped;
+}
+
+class MarkdownWriter {
+ public:
+  std::string document(const Page& page) {
+    heading(1, page.title);
+    add(page.lead);
+    for (const PageSection& section : page.sections) add(section, 2);
+    if (!page.colophon.empty()) {
+      text_ += "---\n\n";
+      add(page.colophon);
+    }
+    text_.pop_back();  // every block ends with an empty line, the file with none
+    return std::move(text_);
+  }
+
+  void operator()(const PageParagraph& paragraph) { text_ += markdown_text(paragraph.text) + "\n\n"; }
+
+  void operator()(const PageList& list) {
+    for (const auto& item : list.items) text_ += fmt::format("- {}\n", markdown_text(item));
+    text_ += '\n';
+  }
+
+  void operator()(const PageTable& table) {
+    text_ += markdown_text(table.caption) + "\n\n";
+    std::string rule = "|";
+    text_ += '|';
+    for (const auto& column : table.table.columns()) {
+      text_ += fmt::format(" {} |", markdown_text(column));
+      rule += " --- |";
+    }
+    text_ += fmt::format("\n{}\n", rule);
+    for (std::size_t r = 0; r < table.table.rows(); ++r) {
+      text_ += '|';
+      for (const Field& field : table.table.row(r))
+        text_ += fmt::format(" {} |", markdown_text(to_text(field)));
+      text_ += '\n';
+    }
+    text_ += '\n';
+  }
+
+  void operator()(const PagePicture& picture) {
+    text_ += fmt::format("*Picture:* {} ({})\n\n", markdown_text(picture.caption),
+                         markdown_text(picture.alternative));
+  }
+
+  void operator()(const PageCommands& commands) {
+    for (const auto& line : commands.lines) {
+      text_ += "    ";
+      for (const char c : line) text_ += c == '\n' ? "\n    " : std::string(1, c);
+      text_ += '\n';
+    }
+    text_ += '\n';
+  }
+
+ private:
+  void heading(std::size_t level, std::string_view text) {
+    text_ += fmt::format("{} {}\n\n", std::string(level, '#'), markdown_text(text));
+  }
+
+  void add(const std::vector<PageBlock>& blocks) {
+    for (const PageBlock& block : blocks) std::visit(*this, block);
+  }
+
+  void add(const PageSection& section, std::size_t level) {
+    heading(level, section.heading);
+    add(section.blocks);
+    for (const PageSection& part : section.parts) add(part, level + 1);
+  }
+
+  std::string text_;
+};
+
+}  // namespace
+
+std::string write_markdown(const Page& page) {
+  return MarkdownWriter().document(page);
+}
+
+}  // namespace ramify
