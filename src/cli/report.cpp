@@ -1,12 +1,9 @@
-#include <algorithm>
-#include <array>
 #include <filesystem>
 #include <memory>
 
 #include "session.hpp"
 #include "verbs.hpp"
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "ramify/dossier/report_page.hpp"
 #include "ramify/fit/model_fits.hpp"
@@ -76,7 +73,7 @@ ExitCode report(const ReportArguments& options, const Cancellation& cancellation
   const Report made = report_page(subjects, request, cancellation);
   warn(made.warnings);
   emit(form == Form::html ? write_html(made.page) : write_markdown(made.page), options.output);
-  return made.all_converged ? ExitCode::done : ExitCode::no_convergence;
+  return made.converged ? ExitCode::done : ExitCode::no_convergence;
 }
 
 }  // namespace

@@ -14,7 +14,8 @@
 namespace ramify {
 namespace {
 
-constexpr double level = 0.05;  // of what is said to depart
+constexpr double level = 0.05;     // of what is said to depart
+constexpr double rejected = 0.01;  // of a family that is said not to describe the tree
 
 std::string branching_sentence(const Subject& subject) {
   const auto& streams = subject.measured.orders.streams;
@@ -79,10 +80,10 @@ std::string goodness_sentence(const FittedDatum& datum) {
   const std::string by =
       best.goodness.trees > 0 ? fmt::format("by {} of its trees", best.goodness.trees) : "by chi-square";
   if (p < level)
-    return fmt::format(
-        "But trees of {} are seldom as far from it as this one (p = {:.2g}, {}): none of these families "
-        "describes it well.",
-        best.family->name, p, by);
+    return fmt::format("But of the trees of {} few are as far from it as this one (p = {:.2g}, {}): {}.",
+                       best.family->name, p, by,
+                       p < rejected ? "none of these families describes it"
+                                    : "that any of these families describes it is in doubt");
   return fmt::format("As trees of {} go, this is an ordinary one in what was fitted (p = {:.2g}, {}).",
                      best.family->name, p, by);
 }

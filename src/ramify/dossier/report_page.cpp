@@ -10,7 +10,6 @@
 #include "ramify/dossier/findings.hpp"
 #include "ramify/dossier/plain_words.hpp"
 #include "ramify/dossier/sections.hpp"
-#include "ramify/fit/model_fit_table.hpp"
 
 namespace ramify {
 namespace {
@@ -34,7 +33,7 @@ std::vector<PageBlock> colophon_of(const ReportRequest& request) {
 std::vector<PageSection> sections_of(const Subject& subject, const ReportRequest& request,
                                      const Cancellation& cancellation, Report& report) {
   const Findings findings = find_out(subject, request, cancellation);
-  if (findings.fit && any_not_converged({&*findings.fit, 1})) report.all_converged = false;
+  if (findings.fit && !findings.best) report.converged = false;
   std::vector<PageSection> sections{words_section(subject, findings)};
   if (subject.tree) sections.push_back(picture_section(subject, request, cancellation, report.warnings));
   sections.push_back(orders_section(subject, request, report.warnings));

@@ -13,7 +13,7 @@ namespace ramify {
 struct Report {
   Page page;
   std::vector<std::string> warnings;  ///< pictures that are missing, and why
-  bool all_converged;                 ///< every fit that was tried
+  bool converged;                     ///< the best fit of every subject that was fitted
 };
 
 /// One page about trees and tables of counts: picture, orders, ratios, families ranked, where the tree

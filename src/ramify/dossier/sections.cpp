@@ -45,10 +45,12 @@ PagePicture picture_of(const RecordedTree& tree, const Subject& subject, const C
 }
 
 std::string horton_alternative(const MeasuredOrders& orders) {
+  std::vector<std::string> means;
+  if (!orders.mean_lengths.empty()) means.emplace_back("mean length");
+  if (!orders.mean_radii.empty()) means.emplace_back("mean radius");
   return fmt::format("Horton diagram: on a logarithmic axis {} streams of orders 1 to {}{}{}",
                      fmt::join(orders.streams, ", "), orders.streams.size(),
-                     orders.mean_lengths.empty() ? "" : ", with their mean lengths",
-                     orders.mean_radii.empty() ? "" : ", with their mean radii");
+                     means.empty() ? "" : ", with their ", listed(means));
 }
 
 /// Ratios of one quantity: falls of counts, rises of means.
@@ -69,10 +71,10 @@ void add_rises(Table& table, std::string_view what, const std::vector<double>& m
   add_ratios(table, what, ratios.mean_ratio, NAN, ratios.regression, ratios.geometric);
 }
 
-std::string names_of(const std::vector<const Family*>& families) {
-  std::vector<std::string_view> names;
-  for (const Family* family : families) names.push_back(family->name);
-  return fmt::format("{}", fmt::join(names, ","));
+std::vector<std::string> names_of(const std::vector<const Family*>& families) {
+  std::vector<std::string> names;
+  for (const Family* family : families) names.emplace_back(family->name);
+  return names;
 }
 
 /// Of the fits, what the table has no column for.
@@ -81,7 +83,7 @@ PageList fit_notes(const Findings& findings) {
   for (const FamilyFit& fit : findings.fit->fits)
     if (!fit.note.empty()) notes.items.push_back(fmt::format("{}: {}", fit.family->name, fit.note));
   if (!findings.left_out.empty())
-    notes.items.push_back(fmt::format("Not fitted: {}, {}.", names_of(findings.left_out),
+    notes.items.push_back(fmt::format("Not fitted: {}, {}.", listed(names_of(findings.left_out)),
                                       findings.fit->observable == "tree"
                                           ? "for which the tree is too small"
                                           : "which take minutes from counts; --model names what is fitted"));
@@ -193,12 +195,14 @@ PageSection families_section(const Subject& subject, const Findings& findings, c
   section.blocks.emplace_back(PageTable{
       fmt::format("Families of models, the best first: n = {} internal nodes, fitted from {}. AIC - best: "
                   "{:g} and less "
-                  "is as good, more than {:g} is out. misfit p: of a larger misfit under the fitted model",
+                  "is as good, more than {:g} is out. misfit p: of trees of the fitted model so many lie as "
+                  "far from it",
                   datum.n, datum.used, as_good, is_out),
       model_fit_lines(datum)});
   if (PageList notes = fit_notes(findings); !notes.items.empty())
     section.blocks.emplace_back(std::move(notes));
-  PageCommands commands{{fit_command(subject, request, names_of(findings.fitted))}};
+  PageCommands commands{
+      {fit_command(subject, request, fmt::format("{}", fmt::join(names_of(findings.fitted), ",")))}};
   if (const FamilyFit& best = datum.fits.front(); best.goodness.trees > 0)
     commands.lines.push_back(fit_command(subject, request, best.family->name) +
                              fmt::format(" --bootstrap {}", best.goodness.trees));

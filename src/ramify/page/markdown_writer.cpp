@@ -1,5 +1,6 @@
 #include "ramify/page/markdown_writer.hpp"
 
+#include <cctype>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -7,13 +8,22 @@
 namespace ramify {
 namespace {
 
+/// Whether the character at a place means something to Markdown. An underscore within a word does not.
+bool is_markup(std::string_view text, std::size_t at) {
+  const auto is_letter = [&](std::size_t place) {
+    return place < text.size() && std::isalnum(static_cast<unsigned char>(text[place])) != 0;
+  };
+  if (text[at] == '_') return at == 0 || !is_letter(at - 1) || !is_letter(at + 1);
+  return std::string_view("\\`*[]<>|~&").find(text[at]) != std::string_view::npos ||
+         (at == 0 && text[at] == '#');
+}
+
 /// A text that Markdown shows as it stands, in one line.
 std::string markdown_text(std::string_view text) {
-  constexpr std::string_view markup = "\\`*_[]<>|~&";
   std::string escaped;
-  for (const char c : text) {
-    if (markup.find(c) != std::string_view::npos || (c == '#' && escaped.empty())) escaped += '\\';
-    escaped += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (is_markup(text, at)) escaped += '\\';
+    escaped += static_cast<unsigned char>(text[at]) < 0x20 ? ' ' : text[at];
   }
   return escaped;
 }
