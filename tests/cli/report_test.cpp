@@ -32,7 +32,7 @@ TEST(ReportVerb, OfATreeHasEverySectionAndCommandsThatRun) {
   EXPECT_TRUE(holds(ran.out, "| 1 | 8 | 8 |")) << ran.out;
   EXPECT_TRUE(holds(ran.out, "| streams, divided by (R_B) | 2.8333 | 2.75 | 2.8284 | 2.8284 |")) << ran.out;
   EXPECT_TRUE(holds(ran.out, "| mean radius, times (R_D) |")) << ran.out;
-  EXPECT_TRUE(holds(ran.out, "Murray's exponent, fork by fork: 3")) << ran.out;
+  EXPECT_TRUE(holds(ran.out, "Murray's exponent, fork by fork: 2.999, the median over 7 forks")) << ran.out;
   const auto commands = commands_on(ran.out);
   EXPECT_EQ(commands.size(), 7u);
   for (const auto& command : commands) {

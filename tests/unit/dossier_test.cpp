@@ -62,6 +62,14 @@ TEST(PlainWords, SayWhichFamiliesAreAsGoodBehindAndOut) {
   EXPECT_NE(words.find("counts of streams fix the ratio and little more"), std::string::npos) << words;
 }
 
+TEST(PlainWords, DoNotJudgeAFitThatDidNotConverge) {
+  Findings findings = findings_of({fit_with("patricia", 10), fit_with("dst", 11)});
+  findings.fit->fits[1].converged = false;
+  const std::string words = words_of(table_of({100, 25, 5, 1}), findings);
+  EXPECT_NE(words.find("did not converge: dst."), std::string::npos) << words;
+  EXPECT_EQ(words.find("cannot tell it from"), std::string::npos) << words;
+}
+
 TEST(PlainWords, DoNotPraiseAFamilyThatDoesNotFit) {
   Findings findings = findings_of({fit_with("patricia", 10)});
   findings.fit->fits[0].goodness.p_value = 0.001;

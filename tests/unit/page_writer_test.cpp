@@ -20,7 +20,7 @@ constexpr const char* svg =
     "<?xml version=\"1.0\"?>\n<!DOCTYPE svg>\n"
     "<svg width=\"10\" xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\">"
     "<title>Gnuplot</title><desc>made by</desc><g id=\"a\"/><use xlink:href=\"#a\"/>"
-    "<rect clip-path=\"url(#a)\"/><text> id=\"a\" stays</text></svg>\n";
+    "<rect id='b' clip-path=\"url(#a)\"/><use href='#b'/><text> id=\"a\" stays</text></svg>\n";
 
 Page small_page() {
   Table table({"order", "what"});
@@ -103,7 +103,8 @@ TEST(HtmlPage, TablesHaveCaptionsAndScopesAndNumbersStandAtTheRight) {
 
 TEST(InlineSvg, LosesPrologNamespacesAndTitlesAndGetsIdsOfItsOwn) {
   EXPECT_EQ(inline_svg(svg, "p-"),
-            "<svg width=\"10\"><g id=\"p-a\"/><use xlink:href=\"#p-a\"/><rect clip-path=\"url(#p-a)\"/>"
+            "<svg width=\"10\"><g id=\"p-a\"/><use xlink:href=\"#p-a\"/>"
+            "<rect id='p-b' clip-path=\"url(#p-a)\"/><use href='#p-b'/>"
             "<text> id=\"a\" stays</text></svg>\n");
 }
 

@@ -41,13 +41,21 @@ std::string described(const FamilyFit& fit) {
                        : fmt::format("{} with {}", fit.family->name, listed(parts));
 }
 
-/// Families whose AIC lies above the best's by more than one bound and at most the other.
+/// Families that converged and whose AIC lies above the best's by more than one bound and at most the other.
 std::vector<std::string> families_within(const FittedDatum& datum, double above, double most) {
   std::vector<std::string> names;
   for (std::size_t i = 1; i < datum.fits.size(); ++i) {
     const double worse = datum.fits[i].aic() - datum.fits.front().aic();
-    if (worse > above && worse <= most) names.emplace_back(datum.fits[i].family->name);
+    if (datum.fits[i].converged && worse > above && worse <= most)
+      names.emplace_back(datum.fits[i].family->name);
   }
+  return names;
+}
+
+std::vector<std::string> unconverged(const FittedDatum& datum) {
+  std::vector<std::string> names;
+  for (const FamilyFit& fit : datum.fits)
+    if (!fit.converged && !std::isnan(fit.log_likelihood)) names.emplace_back(fit.family->name);
   return names;
 }
 
@@ -69,6 +77,8 @@ std::string rivals_sentence(const FittedDatum& datum) {
   if (!behind.empty()) text += fmt::format("Behind, but not out: {}. ", listed(behind));
   if (!out.empty())
     text += fmt::format("Out, with an AIC worse by more than {:g}: {}. ", is_out, listed(out));
+  if (const auto open = unconverged(datum); !open.empty())
+    text += fmt::format("Not judged, for their fits did not converge: {}. ", listed(open));
   if (!text.empty()) text.pop_back();
   return text;
 }

@@ -19,7 +19,7 @@ std::string without_namespaces(std::string tag) {
 
 /// The tag with the prefix in every id and every reference to one.
 std::string with_prefix(std::string_view tag, std::string_view prefix) {
-  constexpr std::array<std::string_view, 3> marks{" id=\"", "href=\"#", "url(#"};
+  constexpr std::array<std::string_view, 5> marks{" id=\"", " id='", "href=\"#", "href='#", "url(#"};
   std::string text;
   for (std::size_t at = 0; at < tag.size();) {
     const auto* const mark =
