@@ -24,7 +24,7 @@ FamilyFit fit_with(const char* family, double aic) {
   return fit;
 }
 
-Subject table_of(std::vector<std::uint64_t> counts) {
+Subject subject_with(std::vector<std::uint64_t> counts) {
   Subject subject{"t.csv", "t.csv", 1, 1, {}, {}, {}, {}, {}};
   subject.counts = OrderCounts{"t.csv", 1, counts, {}, {}, {}};
   subject.measured.orders = measure_orders(*subject.counts);
@@ -44,8 +44,8 @@ std::string words_of(const Subject& subject, const Findings& findings) {
 
 TEST(PlainWords, SayWhichFamiliesAreAsGoodBehindAndOut) {
   const std::string words =
-      words_of(table_of({100, 25, 5, 1}), findings_of({fit_with("patricia", 10), fit_with("dst", 11.9),
-                                                       fit_with("aldous", 12.1), fit_with("bst", 20.1)}));
+      words_of(subject_with({100, 25, 5, 1}), findings_of({fit_with("patricia", 10), fit_with("dst", 11.9),
+                                                           fit_with("aldous", 12.1), fit_with("bst", 20.1)}));
   EXPECT_NE(words.find("The table has 100 tips and 4 orders"), std::string::npos) << words;
   EXPECT_NE(words.find("a factor of 4.67 (mean of the ratios"), std::string::npos) << words;
   EXPECT_NE(
@@ -65,7 +65,7 @@ TEST(PlainWords, SayWhichFamiliesAreAsGoodBehindAndOut) {
 TEST(PlainWords, DoNotJudgeAFitThatDidNotConverge) {
   Findings findings = findings_of({fit_with("patricia", 10), fit_with("dst", 11)});
   findings.fit->fits[1].converged = false;
-  const std::string words = words_of(table_of({100, 25, 5, 1}), findings);
+  const std::string words = words_of(subject_with({100, 25, 5, 1}), findings);
   EXPECT_NE(words.find("did not converge: dst."), std::string::npos) << words;
   EXPECT_EQ(words.find("cannot tell it from"), std::string::npos) << words;
 }
@@ -73,13 +73,13 @@ TEST(PlainWords, DoNotJudgeAFitThatDidNotConverge) {
 TEST(PlainWords, DoNotPraiseAFamilyThatDoesNotFit) {
   Findings findings = findings_of({fit_with("patricia", 10)});
   findings.fit->fits[0].goodness.p_value = 0.001;
-  const std::string words = words_of(table_of({100, 25, 5, 1}), findings);
+  const std::string words = words_of(subject_with({100, 25, 5, 1}), findings);
   EXPECT_NE(words.find("none of these families describes it."), std::string::npos) << words;
   EXPECT_EQ(words.find("ordinary"), std::string::npos);
 }
 
 TEST(PlainWords, NameStatisticsThatDepartTheFarthestFirst) {
-  Subject subject = table_of({100, 25, 5, 1});
+  Subject subject = subject_with({100, 25, 5, 1});
   Findings findings = findings_of({fit_with("patricia", 10)});
   const StatisticColumn height(statistic::height), width(statistic::width);
   findings.compared = {{height, 12, 10, 1, 0.01, 0.02, true, false},
@@ -98,7 +98,7 @@ TEST(PlainWords, OfASingleTipAreFew) {
   Findings findings;
   findings.why_no_fit = "Too small.";
   EXPECT_EQ(
-      words_of(table_of({1}), findings),
+      words_of(subject_with({1}), findings),
       "The table has 1 tip and 1 order of Horton-Strahler; with one order there is no ratio.\nToo small.");
 }
 
@@ -107,7 +107,7 @@ TEST(ReportCommands, AreWhatAShellReads) {
   EXPECT_EQ(shell_word("my tree's"), "'my tree'\\''s'");
   EXPECT_EQ(shell_word(""), "''");
   ReportRequest request{{"-x.csv"}, "7", "random", {}};
-  Subject subject = table_of({4, 2, 1});
+  Subject subject = subject_with({4, 2, 1});
   subject.file = "-x.csv";
   EXPECT_EQ(measure_command(subject, request, " --table summary"), "ramify measure ./-x.csv --table summary");
   subject.tree.emplace();
