@@ -44,6 +44,14 @@ TEST(Terminal, ShowsTablesAligned) {
             std::string::npos);
 }
 
+TEST(Terminal, GetsNoPageOfHtml) {
+  if (!has_terminals()) GTEST_SKIP() << "no script (util-linux)";
+  const Ran html = on_terminal("report data/examples/sapling.newick");
+  EXPECT_EQ(html.code, 2) << html.out;
+  EXPECT_NE(html.out.find("add -o report.html"), std::string::npos) << html.out;
+  EXPECT_EQ(on_terminal("report data/examples/sapling.newick --format md --bootstrap 0").code, 0);
+}
+
 TEST(Terminal, ShowsAPValueThatIsABoundAsOne) {
   if (!has_terminals()) GTEST_SKIP() << "no script (util-linux)";
   const Scratch scratch;

@@ -40,7 +40,7 @@ figure{margin:1rem 0}
 figure .wide{background:#fff;border:1px solid var(--rule);border-radius:4px;margin:0}
 svg{display:block;width:100%;min-width:34rem;max-width:62rem;height:auto}
 figcaption,footer{color:var(--muted)}
-pre{background:var(--soft);border-radius:4px;padding:.6rem .9rem;font-size:.9rem}
+pre{width:max-content;min-width:100%;margin:0;background:var(--soft);border-radius:4px;padding:.6rem .9rem;font-size:.9rem}
 footer{margin-top:2.5rem;padding-top:.8rem;padding-bottom:2rem;border-top:1px solid var(--rule)}
 )";
 }
