@@ -39,7 +39,7 @@ double log_error(const FamilyFit& fit, const Point& at) {
 }  // namespace
 
 std::optional<FittedParameter> limiting_ratio(const FamilyFit& fit) {
-  if (fit.parameters.empty()) return std::nullopt;
+  if (fit.parameters.empty() || fit.at_end) return std::nullopt;
   const SplitFraction fraction = fit.family->at(fit.estimates()).character().fraction;
   if (!std::holds_alternative<BetaFraction>(fraction)) return std::nullopt;
   const Point at = fit.family->searched(fit.estimates());

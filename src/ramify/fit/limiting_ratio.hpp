@@ -10,7 +10,8 @@ namespace ramify {
 /// what counts of streams tell of two shapes, which by themselves they hardly tell.
 ///
 /// Of one parameter its interval's ends are mapped; of two log R is taken to be linear about the estimate
-/// (the delta method). Nothing where the family has no such density, or R is out of reach there. Cost: some
+/// (the delta method). Nothing where the family has no such density, the estimate lies at the end of what is
+/// searched, or R is out of reach. Cost: some
 /// evaluations of R, 0.01 to 1 s each.
 std::optional<FittedParameter> limiting_ratio(const FamilyFit& fit);
 
