@@ -24,8 +24,8 @@ TEST(FitOfCounts, RanksFamiliesAndSaysWhatTheyRestOn) {
   EXPECT_TRUE(
       lines[0].starts_with("data,model,parameter,estimate,standard_error,lower,upper,observable,n,rank"));
   EXPECT_TRUE(lines[1].starts_with("new_hope_creek,catalan,,,,,,orders,143,1,")) << lines[1];
-  EXPECT_TRUE(lines[2].starts_with("new_hope_creek,aldous,beta,-1.4")) << lines[2];
-  EXPECT_TRUE(lines[3].starts_with("new_hope_creek,aldous,horton_ratio,3.8")) << lines[3];
+  EXPECT_TRUE(lines[2].starts_with("new_hope_creek,aldous,beta,-1.45")) << lines[2];
+  EXPECT_TRUE(lines[3].starts_with("new_hope_creek,aldous,horton_ratio,3.9")) << lines[3];
   EXPECT_TRUE(lines[4].starts_with("new_hope_creek,bst,,,,,,orders,143,3,")) << lines[4];
   EXPECT_NE(lines[2].find("from counts of orders 1..2 and the order"), std::string::npos) << lines[2];
 }

@@ -331,14 +331,21 @@ bool CountSurface::refine(std::span<const double> searched, const CountReading& 
   const Point place = place_of(searched).at;
   if (place.empty() || !holds(place)) return false;
   bool halved = false;
-  while (true) {
-    const std::size_t at = panel_at(place);
-    const std::vector<double> found = errors(panels_[at], reading);
+  while (refine_once(place, reading)) halved = true;
+  return halved;
+}
+
+/// Halves one of the panels that are read there, if one is not accurate.
+bool CountSurface::refine_once(const Point& place, const CountReading& reading) {
+  for (const Share& share : shares_at(place)) {
+    const Panel& panel = panels_[share.panel];
+    const std::vector<double> found = errors(panel, reading);
     const auto worst = static_cast<std::size_t>(std::ranges::max_element(found) - found.begin());
-    if (found[worst] <= 1 || panels_[at].high[worst] - panels_[at].low[worst] < narrowest) return halved;
-    halve(at, worst);
-    halved = true;
+    if (found[worst] <= 1 || panel.high[worst] - panel.low[worst] < narrowest) continue;
+    halve(share.panel, worst);
+    return true;
   }
+  return false;
 }
 
 }  // namespace ramify

@@ -33,7 +33,7 @@ struct CountReading {
 ///
 /// A law takes some 0.05 s (large/stream_counts.hpp), a fit asks for hundreds, a bootstrap for 10^5. So laws
 /// are computed at Chebyshev's points of panels of parameter space, and read between them by the polynomials
-/// through those; refine() halves a panel until it errs by less than a twentieth of what one tree tells.
+/// through those; refine() halves a panel until it errs by less than 0.02 of one tree's standard deviation.
 ///
 /// Panels lie on a chart where mirror images are one place and nothing has a kink: the searched number itself
 /// for one parameter, log p(1-p) where p and 1-p are alike, and of two shapes the same of a/(a+b), and
@@ -98,6 +98,7 @@ class CountSurface {
   void compute(const std::vector<Point>& places);
   std::vector<double> quantities(const Point& place) const;
   void halve(std::size_t panel, std::size_t along);
+  bool refine_once(const Point& place, const CountReading& reading);
   std::vector<double> errors(const Panel& panel, const CountReading& reading) const;
 
   const Family* family_;
