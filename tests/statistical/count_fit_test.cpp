@@ -64,9 +64,27 @@ TEST(CountLikelihood, IsTheGaussianDensityTimesTheLawOfTheOrder) {
     fitter.settle(fit, walnut);
     const CountSurface& surface = fitter.surface(family, walnut.n());
     const double read = count_objective(surface, walnut).value(family.searched(fit.estimates()));
-    EXPECT_NEAR(-fit.log_likelihood, read, 0.15) << name;
+    EXPECT_NEAR(-fit.log_likelihood, read, 0.01) << name;
     EXPECT_NEAR(-fit.log_likelihood, literal_minus_log_likelihood(family.at(fit.estimates()), walnut), 1e-8)
         << name;
+  }
+}
+
+/// Along the interval, and across the seams of panels: the estimate of ford is beside one.
+TEST(CountLikelihood, IsReadBetweenLawsWhereTheIntervalIs) {
+  const ObservedCounts apple{{279, 52, 7, 1}};
+  CountFitter fitter(2, uninterrupted);
+  for (const char* name : {"ford", "patricia"}) {
+    const Family& family = find_family(name);
+    const FamilyFit fit = fitter.fit(family, apple);
+    const CountSurface& surface = fitter.surface(family, apple.n());
+    const Objective objective = count_objective(surface, apple);
+    const FittedParameter& found = fit.parameters[0];
+    for (int i = 0; i <= 10; ++i) {
+      const Point at = family.searched(std::vector{found.lower + i * (found.upper - found.lower) / 10});
+      EXPECT_NEAR(objective.value(at), -count_fitness(surface, apple, at).log_likelihood, 0.01)
+          << name << ' ' << i;
+    }
   }
 }
 

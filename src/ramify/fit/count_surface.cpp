@@ -311,12 +311,12 @@ std::vector<double> CountSurface::errors(const Panel& panel, const CountReading&
   };
   for (std::size_t k = 1; k <= reading.orders; ++k) {
     const std::size_t mean = CountReading::row(k), spread = mean + k;
-    double least = std::numeric_limits<double>::infinity(), narrow = least;
+    double largest = -std::numeric_limits<double>::infinity(), narrow = -largest;
     for (const auto& node : panel.at_nodes) {
-      least = std::min(least, node[mean]);
+      largest = std::max(largest, node[mean]);
       narrow = std::min(narrow, std::exp(node[spread] - node[mean] / 2));
     }
-    if (least < std::log(dense)) break;
+    if (largest < std::log(dense)) break;
     note(mean, part_of_error * narrow);
     for (std::size_t j = 1; j <= k; ++j) note(mean + j, part_of_error);
   }
