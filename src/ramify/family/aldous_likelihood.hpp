@@ -30,7 +30,7 @@ class AldousLikelihood {
     const T c = beta + 1.0;
     const LogRising<T> weight(beta, 2), once(c, 2), twice(2.0 * c, 2);
     T minus_log(constant_);
-    for (const Size_& of : sizes_) {
+    for (const OfSize& of : sizes_) {
       if (of.as_child != 0) minus_log -= of.as_child * weight(of.size + 1);
       if (of.as_node == 0) continue;
       const T all = twice(of.size);
@@ -42,7 +42,7 @@ class AldousLikelihood {
  private:
   static constexpr double near_0 = 1e-3;
 
-  struct Size_ {
+  struct OfSize {
     Size size;  ///< internal nodes
     double as_child, as_node;
     std::array<double, 4> harmonic;  ///< sums of 1/t, 1/t^2, .. over t = 2..size
@@ -50,7 +50,7 @@ class AldousLikelihood {
 
   /// (1 - e^-log_ratio) / c, where log_ratio = log(U_2c / U_c) = sum of log((t + 2c) / (t + c)).
   template <class T>
-  static T lost_share(const T& c, const T& log_ratio, const Size_& of) {
+  static T lost_share(const T& c, const T& log_ratio, const OfSize& of) {
     using std::expm1;
     if (c >= near_0 || c <= -near_0) return -expm1(-log_ratio) / c;
     const auto& h = of.harmonic;
@@ -60,7 +60,7 @@ class AldousLikelihood {
   }
 
   double constant_ = 0;
-  std::vector<Size_> sizes_;
+  std::vector<OfSize> sizes_;
 };
 
 }  // namespace ramify

@@ -87,13 +87,12 @@ const CellRule& CellRule::get() {
   return rule;
 }
 
-LogBeta::LogBeta(double first, double second) : a(first), b(second) {
-  using boost::math::digamma, boost::math::lgamma;
-  value = lgamma(a) + lgamma(b) - lgamma(a + b);
-  const double of_both = digamma(a + b);
-  by_a = digamma(a) - of_both;
-  by_b = digamma(b) - of_both;
-}
+LogBeta::LogBeta(double first, double second)
+    : a(first),
+      b(second),
+      value(boost::math::lgamma(a) + boost::math::lgamma(b) - boost::math::lgamma(a + b)),
+      by_a(boost::math::digamma(a) - boost::math::digamma(a + b)),
+      by_b(boost::math::digamma(b) - boost::math::digamma(a + b)) {}
 
 LogBeta LogBeta::exchanged() const {
   LogBeta other;

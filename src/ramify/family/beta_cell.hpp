@@ -21,7 +21,7 @@ struct LogBeta {
   double a, b;
   double value, by_a, by_b;
 
-  LogBeta(double a, double b);
+  LogBeta(double first, double second);
   LogBeta exchanged() const;
 
  private:

@@ -40,11 +40,11 @@ void ObservedSplits::merge_equal() {
   const auto key = [](const ObservedSplit& split) { return std::tuple(split.size(), split.smaller); };
   std::ranges::sort(splits_, {}, key);
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < splits_.size(); ++i) {
-    if (kept > 0 && key(splits_[kept - 1]) == key(splits_[i]))
-      splits_[kept - 1].count += splits_[i].count;
+  for (const ObservedSplit& split : splits_) {
+    if (kept > 0 && key(splits_[kept - 1]) == key(split))
+      splits_[kept - 1].count += split.count;
     else
-      splits_[kept++] = splits_[i];
+      splits_[kept++] = split;
   }
   splits_.resize(kept);
 }

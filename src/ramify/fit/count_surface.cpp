@@ -112,7 +112,7 @@ Point CountSurface::searched_of(const Point& place) const {
 
 bool CountSurface::holds(const Point& place) const {
   for (std::size_t i = 0; i < place.size(); ++i)
-    if (!(place[i] >= panels_[0].low[i] && place[i] <= panels_[0].high[i])) return false;
+    if (place[i] < panels_[0].low[i] || place[i] > panels_[0].high[i] || std::isnan(place[i])) return false;
   return true;
 }
 

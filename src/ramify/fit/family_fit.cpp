@@ -140,7 +140,8 @@ FamilyFit without_fit(const Family& family, double observations) {
   return {&family, {}, none, observations, true, false, {}, {}, {}, {none, none, 0, 0}, {}, {}};
 }
 
-FamilyFit fit_family(const Family& family, const Objective& objective, double observations) {
+FamilyFit fit_family(const Family& family, const Objective& minus_log_likelihood, double observations) {
+  const Objective& objective = minus_log_likelihood;
   FamilyFit fit = without_fit(family, observations);
   if (family.parameters.empty()) {
     fit.log_likelihood = -objective.value({});
@@ -167,11 +168,11 @@ FamilyFit fit_family(const Family& family, const Objective& objective, double ob
   return fit;
 }
 
-Point best_place(const Family& family, const Objective& objective, const Point& start) {
+Point best_place(const Family& family, const Objective& minus_log_likelihood, const Point& start) {
   if (family.parameters.empty()) return start;
   std::vector<Point> starts = folded_starts(family);
   starts.push_back(start);
-  const std::vector<Minimum> found = minima(objective, starts);
+  const std::vector<Minimum> found = minima(minus_log_likelihood, starts);
   return found.empty() ? start : folded(family, found.front().at);
 }
 

@@ -9,19 +9,19 @@
 namespace ramify {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_ratio = std::numeric_limits<double>::quiet_NaN();
 constexpr double step = 0.02;                     // of a searched number
 constexpr double normal_95 = 1.9599639845400545;  // its 97.5 % point
 
 /// NaN where there is none.
 double log_ratio(const Family& family, const Point& searched) {
   const auto ratio = horton_ratio_constant(family.at(family.values(searched)));
-  return ratio ? std::log(ratio->value) : none;
+  return ratio ? std::log(ratio->value) : no_ratio;
 }
 
 /// The standard error of log R, by its slopes.
 double log_error(const FamilyFit& fit, const Point& at) {
-  if (fit.covariance.empty()) return none;
+  if (fit.covariance.empty()) return no_ratio;
   Point slopes;
   for (std::size_t i = 0; i < at.size(); ++i) {
     Point up = at, down = at;

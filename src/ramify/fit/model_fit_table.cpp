@@ -15,7 +15,7 @@
 namespace ramify {
 namespace {
 
-constexpr int digits = 6;
+constexpr int table_digits = 6;
 
 std::string_view status_of(const FamilyFit& fit) {
   if (std::isnan(fit.log_likelihood)) return "not_fitted";
@@ -43,18 +43,18 @@ std::string note_of(const FamilyFit& fit, const FittedDatum& datum) {
 
 /// Of one parameter, as far as it was found.
 void add_estimate(Row& row, const FamilyFit& fit, const FittedParameter& parameter) {
-  row.text(parameter.name).significant(parameter.estimate, digits);
+  row.text(parameter.name).significant(parameter.estimate, table_digits);
   if (!fit.converged) {
     row.nothing().nothing().nothing();
     return;
   }
-  row.significant(parameter.standard_error, digits);
+  row.significant(parameter.standard_error, table_digits);
   for (const auto& [end, is_open, text] : {std::tuple(parameter.lower, parameter.lower_open, "open"),
                                            std::tuple(parameter.upper, parameter.upper_open, "open")}) {
     if (is_open)
       row.text(text);
     else
-      row.significant(end, digits);
+      row.significant(end, table_digits);
   }
 }
 
@@ -64,8 +64,8 @@ void add_bootstrap(Row& row, const FamilyFit& fit, std::size_t parameter) {
     return;
   }
   const BootstrapEstimate& found = fit.bootstrap[parameter];
-  row.whole(fit.goodness.trees).significant(found.lower, digits).significant(found.upper, digits);
-  row.significant(found.bias, digits);
+  row.whole(fit.goodness.trees).significant(found.lower, table_digits).significant(found.upper, table_digits);
+  row.significant(found.bias, table_digits);
 }
 
 class Rows {
@@ -101,7 +101,7 @@ class Rows {
     row.text(datum_.observable).whole(datum_.n).whole(rank);
     row.fixed(fit.log_likelihood, 4).fixed(fit.aic(), 4).fixed(fit.bic(), 4);
     row.fixed(fit.aic() - datum_.fits.front().aic(), 4);
-    row.significant(fit.goodness.statistic, digits).significant(fit.goodness.p_value, digits);
+    row.significant(fit.goodness.statistic, table_digits).significant(fit.goodness.p_value, table_digits);
     add_bootstrap(row, fit, parameter);
     table_.add(row.text(status_of(fit)).text(note_of(fit, datum_)));
   }

@@ -23,7 +23,7 @@ constexpr double near_the_middle =
 constexpr double widest_whole = 0.7;  // log of the ratio of such a panel's ends
 constexpr double ties_to =
     1e14;  // leaves: beyond, ties of a binomial law weigh less than 1e-7, and a kink there 1e-14
-constexpr double smooth_from = 1e17;  // leaves: shares of whole numbers are those of a density, to rounding
+constexpr double density_from = 1e17;  // leaves: shares of whole numbers are those of a density, to rounding
 
 double log_sum(double a, double b) {
   const double high = std::max(a, b);
@@ -233,7 +233,7 @@ CompressedRows::CompressedRows(const Model& model, double step, double largest_l
 double CompressedRows::far_from(double largest_leaves) const {
   constexpr double never = std::numeric_limits<double>::infinity();
   if (std::holds_alternative<BinomialSplit>(split_)) return never;  // the scatter of shares falls with n
-  for (double leaves = smooth_from; leaves <= largest_leaves; leaves *= 10) {
+  for (double leaves = density_from; leaves <= largest_leaves; leaves *= 10) {
     const CompressedRow row = row_in_full(leaves, std::nullopt);
     if (std::ranges::all_of(row.places, [](const SplitPlace& place) { return place.smaller > whole_to; }))
       return leaves;

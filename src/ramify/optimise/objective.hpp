@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <span>
@@ -22,7 +23,7 @@ struct Objective {
 
   bool contains(std::span<const double> at) const {
     for (std::size_t i = 0; i < at.size(); ++i)
-      if (!(at[i] >= low[i] && at[i] <= high[i])) return false;
+      if (at[i] < low[i] || at[i] > high[i] || std::isnan(at[i])) return false;
     return true;
   }
 

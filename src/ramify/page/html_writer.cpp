@@ -82,7 +82,7 @@ class HtmlWriter {
     text_ += fmt::format("<table>\n<caption>{}</caption>\n<thead><tr>", html_text(table.caption));
     std::vector<std::string_view> kinds;
     for (std::size_t c = 0; c < table.table.columns().size(); ++c) {
-      kinds.push_back(table.table.holds_numbers(c) ? " class=\"number\"" : "");
+      kinds.emplace_back(table.table.holds_numbers(c) ? " class=\"number\"" : "");
       text_ += fmt::format("<th scope=\"col\"{}>{}</th>", kinds[c], html_text(table.table.columns()[c]));
     }
     text_ += "</tr></thead>\n<tbody>\n";
