@@ -11,6 +11,7 @@
 #include "ramify/large/large_order_moments.hpp"
 #include "ramify/large/large_orders.hpp"
 #include "ramify/large/large_reach.hpp"
+#include "ramify/law/build_law.hpp"
 #include "ramify/law/order_moments.hpp"
 #include "ramify/law/split_rows.hpp"
 #include "ramify/statistic/strahler.hpp"
@@ -65,9 +66,9 @@ StreamCounts collected(Size n, MeanOf mean_of, CovarianceOf covariance_of, TailO
 struct ExactOrders {
   ExactOrders(const Model& model, Size n, const Cancellation& cancellation) : means(n) {
     StoredSplitRows rows(model);
-    extend(means, rows, n, cancellation);
+    extend_law(means, rows, n, cancellation);
     moments.emplace(means, n);
-    extend(*moments, rows, n, cancellation);
+    extend_law(*moments, rows, n, cancellation);
   }
   ExactOrders(const ExactOrders&) = delete;  // the moments refer to the means
   ExactOrders& operator=(const ExactOrders&) = delete;
@@ -77,15 +78,6 @@ struct ExactOrders {
 
   OrderMeans means;
   std::optional<OrderMoments> moments;
-
- private:
-  template <class Law>
-  static void extend(Law& law, StoredSplitRows& rows, Size n, const Cancellation& cancellation) {
-    while (law.sizes() <= n) {
-      if (cancellation.requested()) throw Interrupted();
-      law.extend(rows.row(law.sizes()));
-    }
-  }
 };
 
 StreamCounts exact_counts(const Model& model, Size n, const Cancellation& cancellation) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "ramify/law/build_law.hpp"
 #include "ramify/law/law_limit.hpp"
 
 namespace ramify {
@@ -15,7 +16,7 @@ ExactMeans::ExactMeans(const Model& model, Size largest_n, Size largest_n_with_v
 /// The law with every size up to n.
 template <class Law>
 const Law& ExactMeans::extended(Law& law, Size n) const {
-  while (law.sizes() <= n) law.extend(rows_.row(law.sizes()));
+  extend_law(law, rows_, n);
   return law;
 }
 
