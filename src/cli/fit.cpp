@@ -110,10 +110,7 @@ ModelFitOptions model_options(const FitArguments& options) {
                 "leave it out, or fit the ratio with --observable ratio");
   ModelFitOptions fit;
   fit.families = chosen_families(options.model.empty() ? "all" : options.model);
-  fit.bootstrap_trees = read_count("--bootstrap", options.bootstrap);
-  if (fit.bootstrap_trees == 1 || (fit.bootstrap_trees > 0 && fit.bootstrap_trees < 40))
-    throw Error(fmt::format("--bootstrap {}", fit.bootstrap_trees),
-                "2.5 and 97.5 % of fewer than 40 trees are their ends", "take 40 trees or more, say 1000");
+  fit.bootstrap_trees = read_bootstrap(options.bootstrap);
   fit.seed = read_count("--seed", options.seed);
   fit.threads = read_threads(options.threads);
   fit.progress = progress_line("fit");
@@ -136,7 +133,7 @@ std::vector<FittedDatum> fit_file(const FitArguments& options, Observable observ
                                   const Cancellation& cancellation) {
   if (observable == Observable::tree)
     return fit_whole_trees(trees_of(options, text, file), file, options.pooled, how, cancellation);
-  if (!is_order_table(text) && content_of(text) == Observable::tree)
+  if (content_of(text) == Observable::tree)
     return fit_order_counts(order_counts_of(trees_of(options, text, file)), file, how, cancellation);
   const auto tables = read_order_counts(SourceText(text, file));
   for (const auto& table : tables)

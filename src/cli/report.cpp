@@ -42,15 +42,8 @@ void require_readable_output(const ReportArguments& options, Form form) {
 ReportRequest request_of(const ReportArguments& options) {
   ReportRequest request{options.files, options.root, options.resolve, {}};
   if (!options.model.empty()) request.families = chosen_families(options.model);
-  request.replicates = read_count("--replicates", options.replicates);
-  if (request.replicates < 99)
-    throw Error(fmt::format("--replicates {}", request.replicates),
-                "the smallest p-value is 2/(replicates + 1): with fewer than 99 trees above 0.02",
-                "take 99 or more");
-  request.bootstrap = read_count("--bootstrap", options.bootstrap);
-  if (request.bootstrap > 0 && request.bootstrap < 40)
-    throw Error(fmt::format("--bootstrap {}", request.bootstrap), "fewer than 40 trees say too little",
-                "take 40 or more, or 0 for none");
+  request.replicates = read_replicates(options.replicates);
+  request.bootstrap = read_bootstrap(options.bootstrap);
   request.seed = read_count("--seed", options.seed);
   request.threads = read_threads(options.threads);
   request.progress = progress_line("report");

@@ -121,6 +121,23 @@ unsigned read_threads(const std::string& text) {
   return static_cast<unsigned>(threads);
 }
 
+std::uint64_t read_replicates(const std::string& text) {
+  const std::uint64_t trees = read_count("--replicates", text);
+  if (trees < 99)
+    throw Error(fmt::format("--replicates {}", trees),
+                "the smallest p-value is 2/(replicates + 1): with fewer than 99 trees above 0.02",
+                "take 99 or more");
+  return trees;
+}
+
+std::uint64_t read_bootstrap(const std::string& text) {
+  const std::uint64_t trees = read_count("--bootstrap", text);
+  if (trees > 0 && trees < 40)
+    throw Error(fmt::format("--bootstrap {}", trees), "2.5 and 97.5 % of fewer than 40 trees are their ends",
+                "take 40 trees or more, say 1000, or 0 for none");
+  return trees;
+}
+
 double read_real(const std::string& option, const std::string& text) {
   if (const auto value = parse_real(text)) return *value;
   throw Error(option + " " + text, "not a finite number",

@@ -26,6 +26,12 @@ unsigned read_threads(const std::string& text);
 /// A real number of an option, "0.23" or "1/4.35"; throws Error for anything else.
 double read_real(const std::string& option, const std::string& text);
 
+/// Trees of a model that a statistic is compared with, for --replicates: 99 or more.
+std::uint64_t read_replicates(const std::string& text);
+
+/// Trees that a fit is tried on again, for --bootstrap: none, or 40 or more.
+std::uint64_t read_bootstrap(const std::string& text);
+
 /// Whoever read standard output has gone: no fault, and nothing to say.
 class ClosedPipe {};
 

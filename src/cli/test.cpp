@@ -62,12 +62,8 @@ Row row_of(const ComparedStatistic& of, const std::string& tree, const Model& mo
 
 ExitCode test(const TestArguments& options, const Cancellation& cancellation) {
   const Model model = Model::parse(options.model);
-  const Simulation simulation{read_count("--seed", options.seed),
-                              read_count("--replicates", options.replicates), read_threads(options.threads)};
-  if (simulation.trees < 99)
-    throw Error(fmt::format("--replicates {}", simulation.trees),
-                "the smallest p-value is 2/(replicates + 1): with fewer than 99 trees above 0.02",
-                "take 99 or more");
+  const Simulation simulation{read_count("--seed", options.seed), read_replicates(options.replicates),
+                              read_threads(options.threads)};
   Table table({"tree", "model", "statistic", "leaf_order", "observed", "expected", "p_value", "effect",
                "adjusted_p", "standard_error", "method"});
   TreeComparison compare(model, simulation, cancellation);
