@@ -9,6 +9,8 @@
 
 #include "ramify/core/number.hpp"
 #include "ramify/family/observed_splits.hpp"
+#include "ramify/fit/tree_bootstrap.hpp"
+#include "ramify/fit/tree_fit.hpp"
 #include "ramify/text/remarks.hpp"
 #include "ramify/tree/resolve_forks.hpp"
 
@@ -23,23 +25,19 @@ ModelFitOptions fit_options(const ReportRequest& request, std::vector<const Fami
 
 /// Families for which the tree has enough nodes that divide in more ways than one; the others are left out.
 void choose_by_size(const Subject& subject, Findings& findings) {
-  const double choices = ObservedSplits(subject.tree->tree, subject.name).choices();
-  const auto is_small = [&](const Family* family) {
-    return choices < static_cast<double>(std::max<std::size_t>(1, family->parameters.size()));
-  };
+  const ObservedSplits splits(subject.tree->tree, subject.name);
+  const auto is_small = [&splits](const Family* family) { return !are_enough(splits, *family); };
   std::ranges::copy_if(findings.fitted, std::back_inserter(findings.left_out), is_small);
   std::erase_if(findings.fitted, is_small);
 }
 
-/// The p-value of the best family's fit, by trees of it; once more, for the bootstrap belongs to the fit.
+/// The p-value of the best family's fit, by trees of it.
 void bootstrap_best(const Subject& subject, const ReportRequest& request, const Cancellation& cancellation,
                     FittedDatum& datum) {
   FamilyFit& best = datum.fits.front();
   if (request.bootstrap == 0 || datum.n > largest_compared || !best.converged) return;
-  ModelFitOptions options = fit_options(request, {best.family});
-  options.bootstrap_trees = request.bootstrap;
-  best =
-      fit_whole_trees({&*subject.tree, 1}, subject.file, false, options, cancellation).front().fits.front();
+  bootstrap_tree_fit(best, ObservedSplits(subject.tree->tree, subject.name),
+                     {request.bootstrap, request.seed}, request.threads, cancellation);
 }
 
 void fit_tree(const Subject& subject, const ReportRequest& request, const Cancellation& cancellation,

@@ -96,11 +96,8 @@ std::vector<Minimum> folded_minima(const Family& family, const Objective& object
   std::vector<Minimum> found;
   for (const Minimum& unfolded : minima(objective, folded_starts(family))) {
     Minimum minimum = folded(family, unfolded);
-    const bool is_new = std::ranges::none_of(found, [&](const Minimum& other) {
-      return std::ranges::equal(other.at, minimum.at,
-                                [](double a, double b) { return std::abs(a - b) < 1e-4; });
-    });
-    if (is_new) found.push_back(std::move(minimum));
+    if (std::ranges::none_of(found, [&](const Minimum& other) { return are_same(other, minimum); }))
+      found.push_back(std::move(minimum));
   }
   return found;
 }
@@ -137,7 +134,7 @@ SearchBox search_box(const Family& family) {
 }
 
 FamilyFit without_fit(const Family& family, double observations) {
-  return {&family, {}, none, observations, true, false, {}, {}, {}, {none, none, 0, 0}, {}, {}};
+  return {&family, {}, none, observations, true, false, {}, {}, {}, {none, none, 0, 0}, {}, {}, {}};
 }
 
 FamilyFit fit_family(const Family& family, const Objective& minus_log_likelihood, double observations) {
@@ -174,6 +171,13 @@ Point best_place(const Family& family, const Objective& minus_log_likelihood, co
   starts.push_back(start);
   const std::vector<Minimum> found = minima(minus_log_likelihood, starts);
   return found.empty() ? start : folded(family, found.front().at);
+}
+
+void rank(std::vector<FamilyFit>& fits) {
+  std::ranges::stable_sort(fits, [](const FamilyFit& a, const FamilyFit& b) {
+    if (std::isnan(a.aic()) || std::isnan(b.aic())) return !std::isnan(a.aic()) && std::isnan(b.aic());
+    return a.aic() < b.aic();
+  });
 }
 
 }  // namespace ramify

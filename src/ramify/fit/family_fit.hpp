@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -47,7 +48,8 @@ struct FamilyFit {
   std::vector<double> covariance;      ///< of the searched numbers, row by row; empty where there is none
   std::vector<Point> searched_places;  ///< the estimate, the intervals' ends and other optima, as searched
   Goodness goodness;
-  std::vector<BootstrapEstimate> bootstrap;  ///< of every parameter; empty without
+  std::vector<BootstrapEstimate> bootstrap;     ///< of every parameter; empty without
+  std::optional<FittedParameter> horton_ratio;  ///< limiting_ratio.hpp, where that was asked for and exists
   std::string note;
 
   double aic() const;
@@ -71,6 +73,9 @@ Point best_place(const Family& family, const Objective& minus_log_likelihood, co
 /// The point, on the scale that is searched, that stands for it among those that nobody can tell apart
 /// (Family::mirror).
 Point folded(const Family& family, Point at);
+
+/// Ranks fits: by AIC, those without a likelihood last.
+void rank(std::vector<FamilyFit>& fits);
 
 /// The ends of what is searched, on its scale.
 struct SearchBox {

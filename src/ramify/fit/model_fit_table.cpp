@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <tuple>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "ramify/fit/limiting_ratio.hpp"
+#include "ramify/fit/note.hpp"
 #include "ramify/io/text_writer.hpp"
 
 namespace ramify {
@@ -24,20 +23,18 @@ std::string_view status_of(const FamilyFit& fit) {
   return fit.at_end ? "at_end" : "converged";
 }
 
-void add_sentence(std::string& note, std::string_view sentence) {
-  if (sentence.empty()) return;
-  if (!note.empty()) note.append("; ");
-  note.append(sentence);
+void add_other_optima(std::string& note, const FamilyFit& fit) {
+  for (const auto& other : fit.other_optima)
+    add_note(note, fmt::format("another optimum at ({:.4g})", fmt::join(other, ",")));
 }
 
 std::string note_of(const FamilyFit& fit, const FittedDatum& datum) {
   std::string note = fit.note;
   if (std::isnan(fit.log_likelihood)) return note;
-  add_sentence(note, fmt::format("from {}", datum.used));
-  add_sentence(note, fit.family->alike);
-  if (fit.at_end) add_sentence(note, "the likelihood rises to the end of what is searched");
-  for (const auto& other : fit.other_optima)
-    add_sentence(note, fmt::format("another optimum at ({:.4g})", fmt::join(other, ",")));
+  add_note(note, fmt::format("from {}", datum.used));
+  add_note(note, fit.family->alike);
+  if (fit.at_end) add_note(note, "the likelihood rises to the end of what is searched");
+  add_other_optima(note, fit);
   return note;
 }
 
@@ -49,10 +46,10 @@ void add_estimate(Row& row, const FamilyFit& fit, const FittedParameter& paramet
     return;
   }
   row.significant(parameter.standard_error, table_digits);
-  for (const auto& [end, is_open, text] : {std::tuple(parameter.lower, parameter.lower_open, "open"),
-                                           std::tuple(parameter.upper, parameter.upper_open, "open")}) {
+  for (const auto& [end, is_open] :
+       {std::pair(parameter.lower, parameter.lower_open), std::pair(parameter.upper, parameter.upper_open)}) {
     if (is_open)
-      row.text(text);
+      row.text("open");
     else
       row.significant(end, table_digits);
   }
@@ -83,9 +80,9 @@ class Rows {
       add_estimate(row, fit, fit.parameters[i]);
       finish(row, fit, rank, i);
     }
-    if (const auto ratio = fit.converged ? limiting_ratio(fit) : std::nullopt) {
+    if (fit.horton_ratio) {
       Row row = begun(fit);
-      add_estimate(row, fit, *ratio);
+      add_estimate(row, fit, *fit.horton_ratio);
       finish(row, fit, rank, fit.parameters.size());
     }
   }
@@ -172,7 +169,7 @@ namespace {
 /// One row a parameter; those of the whole fit stand in its first.
 void add_lines(const FamilyFit& fit, double least_aic, Table& table) {
   std::vector<FittedParameter> shown = fit.parameters;
-  if (const auto ratio = fit.converged ? limiting_ratio(fit) : std::nullopt) shown.push_back(*ratio);
+  if (fit.horton_ratio) shown.push_back(*fit.horton_ratio);
   for (std::size_t i = 0; i < std::max<std::size_t>(1, shown.size()); ++i) {
     Row row;
     row.text(i == 0 ? fit.family->name : "");
@@ -206,8 +203,7 @@ std::string model_fit_text(std::span<const FittedDatum> data) {
     text += write_text(model_fit_lines(datum));
     for (const FamilyFit& fit : datum.fits) {
       std::string note = fit.note;
-      for (const auto& other : fit.other_optima)
-        add_sentence(note, fmt::format("another optimum at ({:.4g})", fmt::join(other, ",")));
+      add_other_optima(note, fit);
       if (!note.empty()) text += fmt::format("  {}: {}\n", fit.family->name, note);
     }
   }

@@ -1,6 +1,5 @@
 #include "ramify/fit/model_fits.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -8,6 +7,7 @@
 
 #include "ramify/core/error.hpp"
 #include "ramify/fit/count_fit.hpp"
+#include "ramify/fit/limiting_ratio.hpp"
 #include "ramify/fit/tree_fit.hpp"
 #include "ramify/measure/tree_measurement.hpp"
 #include "ramify/text/trimmed.hpp"
@@ -46,9 +46,10 @@ FamilyFit fit_counts(const Family& family, const ObservedCounts& counts, const M
                     ObservedCounts::enough, family.parameters.size()),
         counts.n());
   FamilyFit fit = fitter.fit(family, counts);
-  if (fit.converged) fitter.settle(fit, counts);
-  if (options.bootstrap_trees > 0 && fit.converged)
-    fitter.bootstrap(fit, counts, {options.bootstrap_trees, options.seed});
+  if (!fit.converged) return fit;
+  fitter.settle(fit, counts);
+  fit.horton_ratio = limiting_ratio(fit);
+  if (options.bootstrap_trees > 0) fitter.bootstrap(fit, counts, {options.bootstrap_trees, options.seed});
   return fit;
 }
 
@@ -80,13 +81,6 @@ std::vector<const Family*> chosen_families(std::string_view names) {
   }
 }
 
-void rank(std::vector<FamilyFit>& fits) {
-  std::ranges::stable_sort(fits, [](const FamilyFit& a, const FamilyFit& b) {
-    if (std::isnan(a.aic()) || std::isnan(b.aic())) return !std::isnan(a.aic()) && std::isnan(b.aic());
-    return a.aic() < b.aic();
-  });
-}
-
 std::vector<FittedDatum> fit_order_counts(std::span<const OrderCounts> tables, std::string_view file,
                                           const ModelFitOptions& options, const Cancellation& cancellation) {
   CountFitter fitter(options.threads, cancellation);
@@ -100,7 +94,7 @@ std::vector<FittedDatum> fit_order_counts(std::span<const OrderCounts> tables, s
     FittedDatum datum{short_name(table.name, file),
                       "orders",
                       counts.n(),
-                      fmt::format("counts of orders {}..{} and the order", 1, orders),
+                      fmt::format("counts of orders 1..{} and the order", orders),
                       {}};
     for (const Family* family : options.families) {
       datum.fits.push_back(fit_counts(*family, counts, options, fitter));
@@ -128,6 +122,8 @@ std::vector<FittedDatum> fit_whole_trees(std::span<const RecordedTree> trees, st
   std::vector<FittedDatum> data;
   for (TreeFit& fit : fit_trees(trees, options.families, how, cancellation)) {
     std::string used = fmt::format("the splits of {:.0f} nodes", fit.nodes);
+    for (FamilyFit& family : fit.families)
+      if (family.converged) family.horton_ratio = limiting_ratio(family);
     if (fit.nodes < few_nodes) used += ": few, so that estimates may be off by a third of their error";
     data.push_back({short_name(fit.name, file), "tree", static_cast<Size>(fit.nodes), std::move(used),
                     std::move(fit.families)});

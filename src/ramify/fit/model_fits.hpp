@@ -57,7 +57,4 @@ std::vector<FittedDatum> fit_whole_trees(std::span<const RecordedTree> trees, st
                                          bool pooled, const ModelFitOptions& options,
                                          const Cancellation& cancellation);
 
-/// Ranks fits: by AIC, those without a likelihood last.
-void rank(std::vector<FamilyFit>& fits);
-
 }  // namespace ramify

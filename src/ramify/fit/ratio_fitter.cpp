@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "ramify/fit/accepted_set.hpp"
+#include "ramify/fit/note.hpp"
 #include "ramify/model/registry.hpp"
 #include "ramify/text/located_error.hpp"
 
@@ -17,12 +18,6 @@ constexpr RatioEstimator fitted = RatioEstimator::streams_mean_ratio;
 
 std::string parameter_of(RatioEstimator estimator) {
   return estimator == fitted ? "p" : fmt::format("p_{}", estimator_name(estimator));
-}
-
-void add_note(std::string& note, std::string_view text) {
-  if (text.empty()) return;
-  if (!note.empty()) note.append("; ");
-  note.append(text);
 }
 
 /// Gaps narrower than half a step of the grid are the noise of the quantiles: closed.

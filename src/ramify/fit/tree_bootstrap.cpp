@@ -9,6 +9,7 @@
 #include "ramify/core/error.hpp"
 #include "ramify/core/parallel.hpp"
 #include "ramify/fit/lack_of_fit.hpp"
+#include "ramify/fit/note.hpp"
 #include "ramify/fit/tree_fit.hpp"
 #include "ramify/random/stream.hpp"
 #include "ramify/random/uniform.hpp"
@@ -94,8 +95,7 @@ void bootstrap_tree_fit(FamilyFit& fit, const ObservedSplits& observed, const Bo
     all.push_back(std::move(*refit));
   }
   if (const std::uint64_t failed = plan.trees - grown.size(); failed > 0)
-    fit.note += fmt::format("{}{} of {} bootstrap trees could not be fitted", fit.note.empty() ? "" : "; ",
-                            failed, plan.trees);
+    add_note(fit.note, fmt::format("{} of {} bootstrap trees could not be fitted", failed, plan.trees));
   if (grown.empty()) return;
   summarise_bootstrap(grown, fit);
   const std::vector<double> lacks = lack_of_fit(all);

@@ -12,15 +12,18 @@
 namespace ramify {
 namespace {
 
-/// Whether a family can be told from these splits at all.
+/// Nodes that divide in more ways than one.
+std::size_t choices_needed(const Family& family) {
+  return std::max<std::size_t>(1, family.parameters.size());
+}
+
 void require_enough(const Family& family, const ObservedSplits& splits, const std::string& where) {
-  const std::size_t needed = std::max<std::size_t>(1, family.parameters.size());
-  if (splits.choices() >= static_cast<double>(needed)) return;
+  if (are_enough(splits, family)) return;
   throw Error(
       fmt::format("{}: {:g} internal nodes, {:g} of which divide in more ways than one", where,
                   splits.nodes(), splits.choices()),
       fmt::format("{} needs {} of them: trees of {} internal nodes are the smallest that can be fitted",
-                  family.name, needed, smallest_tree(family)),
+                  family.name, choices_needed(family), smallest_tree(family)),
       "take a larger tree, or several pooled");
 }
 
@@ -35,14 +38,18 @@ TreeFit fit_of(std::string name, const ObservedSplits& splits, std::span<const F
     if (options.bootstrap.trees > 0 && one.converged)
       bootstrap_tree_fit(one, splits, options.bootstrap, options.threads, cancellation);
   }
-  std::ranges::stable_sort(fit.families, {}, &FamilyFit::aic);
+  rank(fit.families);
   return fit;
 }
 
 }  // namespace
 
 Size smallest_tree(const Family& family) {
-  return ObservedSplits::smallest_size - 1 + std::max<Size>(1, family.parameters.size());
+  return ObservedSplits::smallest_size - 1 + choices_needed(family);
+}
+
+bool are_enough(const ObservedSplits& splits, const Family& family) {
+  return splits.choices() >= static_cast<double>(choices_needed(family));
 }
 
 Objective tree_objective(const Family& family, const ObservedSplits& splits) {

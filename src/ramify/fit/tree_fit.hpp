@@ -41,6 +41,9 @@ std::vector<TreeFit> fit_trees(std::span<const RecordedTree> trees, std::span<co
 /// than 3 divide in one way alone.
 Size smallest_tree(const Family& family);
 
+/// Whether a family can be told from these splits at all: a choice for each parameter, and one at least.
+bool are_enough(const ObservedSplits& splits, const Family& family);
+
 /// Minus the log-likelihood of splits. Where one parameter is searched on a logarithmic scale, the box is ten
 /// times wider at either end than search_box(family): the likelihood has no trouble there, and ends of
 /// intervals are often near.

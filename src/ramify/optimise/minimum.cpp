@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <Eigen/Dense>
@@ -210,18 +211,17 @@ Minimum minimise_near(const Objective& objective, const Point& start) {
   return found.converged ? found : minimise(objective, start);
 }
 
+bool are_same(const Minimum& a, const Minimum& b) {
+  return std::ranges::equal(a.at, b.at, [](double x, double y) { return std::abs(x - y) < 1e-4; });
+}
+
 std::vector<Minimum> minima(const Objective& objective, std::span<const Point> starts) {
   std::vector<Minimum> found;
   for (const Point& start : starts) {
     if (!std::isfinite(objective.value(start))) continue;
     Minimum minimum = minimise(objective, start);
-    const bool is_new = std::ranges::none_of(found, [&](const Minimum& other) {
-      double distance = 0;
-      for (std::size_t i = 0; i < minimum.at.size(); ++i)
-        distance = std::max(distance, std::abs(minimum.at[i] - other.at[i]));
-      return distance < 1e-4;
-    });
-    if (is_new) found.push_back(std::move(minimum));
+    if (std::ranges::none_of(found, [&](const Minimum& other) { return are_same(other, minimum); }))
+      found.push_back(std::move(minimum));
   }
   std::ranges::stable_sort(found, {}, &Minimum::value);
   return found;

@@ -32,6 +32,9 @@ Minimum minimise(const Objective& objective, const Point& start);
 /// converge. Cost: some 4 evaluations a parameter and step.
 Minimum minimise_near(const Objective& objective, const Point& start);
 
+/// Whether two minima are one that was found twice.
+bool are_same(const Minimum& a, const Minimum& b);
+
 /// The minima below several starts, the lowest first; those that two starts find are listed
 /// once. Starts where the function has no value are passed over.
 std::vector<Minimum> minima(const Objective& objective, std::span<const Point> starts);
