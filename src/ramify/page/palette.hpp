@@ -4,8 +4,9 @@
 
 namespace ramify {
 
-/// The colours of a page in one theme, as #rrggbb. text, muted and link are read on back and on soft: each
-/// pair has a contrast of 4.5 or more, (L1 + 0.05)/(L2 + 0.05) of relative luminances (WCAG 2.1, 1.4.3).
+/// The colours of a page in one theme, hexadecimal as CSS has them. text, muted and link are read on back and
+/// on soft: each pair has a contrast of 4.5 or more, (L1 + 0.05)/(L2 + 0.05) of relative luminances
+/// (WCAG 2.1, 1.4.3).
 struct PagePalette {
   std::string_view text, muted, link;
   std::string_view back;  ///< of the page
