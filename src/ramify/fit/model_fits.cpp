@@ -17,13 +17,14 @@ namespace {
 
 constexpr double few_nodes = 100;  // of a tree: docs/validation.md
 constexpr Size smallest_n = 20;    // below, counts above the tips are too few for a density
+constexpr std::size_t fewest_orders = 3;
 
 /// Counts that cannot be those of streams of a binary tree, or tell too little.
 void require_counts(const OrderCounts& table) {
-  if (table.counts.front() > smallest_n && table.counts.size() >= 3) return;
-  throw Error(fmt::format("{}: {} tips, {} orders", table.name, table.counts.front(), table.counts.size()),
-              fmt::format("a fit to counts takes {} tips and 3 orders at least", smallest_n + 1),
-              "fit the tree itself, from a file of it");
+  if (table.contradiction) throw *table.contradiction;
+  if (const std::string reason = too_few_counts(table.counts); !reason.empty())
+    throw Error(fmt::format("{}: {} tips, {} orders", table.name, table.counts.front(), table.counts.size()),
+                reason, "fit the tree itself, from a file of it");
 }
 
 /// A fit that could not be made.
@@ -59,6 +60,11 @@ std::string short_name(std::string_view name, std::string_view file) {
 }
 
 }  // namespace
+
+std::string too_few_counts(std::span<const std::uint64_t> counts) {
+  if (counts.front() > smallest_n && counts.size() >= fewest_orders) return "";
+  return fmt::format("a fit to counts takes {} tips and {} orders at least", smallest_n + 1, fewest_orders);
+}
 
 std::vector<const Family*> chosen_families(std::string_view names) {
   std::vector<const Family*> chosen;

@@ -36,10 +36,14 @@ struct FittedDatum {
 /// The families that `--model` names: one, several between commas, or all. Throws Error, nearest names given.
 std::vector<const Family*> chosen_families(std::string_view names);
 
+/// Why counts are too few for a likelihood of them (21 tips and 3 orders are needed); empty where they are
+/// enough. @param counts  of streams, from the leaf order up
+std::string too_few_counts(std::span<const std::uint64_t> counts);
+
 /// Fits families to tables of stream counts (count_likelihood.hpp), one datum a tree.
 ///
 /// A family that cannot be fitted at a size is listed with a note that says why. Throws Error where a table
-/// is too small for any, Interrupted.
+/// is too small for any or holds counts that no binary tree has (OrderCounts::contradiction), Interrupted.
 /// @param file  that the tables come from: what their names begin with
 std::vector<FittedDatum> fit_order_counts(std::span<const OrderCounts> tables, std::string_view file,
                                           const ModelFitOptions& options, const Cancellation& cancellation);
