@@ -14,7 +14,7 @@ namespace {
 
 struct HortonArguments {
   Reading reading;
-  std::string model, trees = "400", seed = "1996", threads;
+  std::string model, trees, seed = "1996", threads;
   Output output;
 };
 
@@ -22,17 +22,18 @@ HortonOptions horton_options(const HortonArguments& options) {
   constexpr std::uint64_t fewest = 40;
   HortonOptions horton;
   horton.families = options.model.empty() ? one_parameter_families() : chosen_families(options.model);
-  horton.trees = {read_count("--trees", options.trees), read_count("--seed", options.seed),
-                  read_threads(options.threads)};
+  horton.trees = {0, read_count("--seed", options.seed), read_threads(options.threads)};
+  if (options.trees.empty()) return horton;
+  horton.trees.trees = read_count("--trees", options.trees);
   if (horton.trees.trees < fewest)
     throw Error(fmt::format("--trees {}", options.trees), "fewer trees say little of how a ratio scatters",
                 fmt::format("take {} or more", fewest));
-  horton.progress = progress_line("horton");
   return horton;
 }
 
 ExitCode horton(const HortonArguments& options, const Cancellation& cancellation) {
-  const HortonOptions horton = horton_options(options);
+  HortonOptions horton = horton_options(options);
+  horton.progress = progress_line("horton");
   const MeasureRequest request = options.reading.request();
   const auto warn = [](const std::string& warning) { fmt::print(stderr, "ramify: warning: {}\n", warning); };
   const MeasuredFiles measured = measure_files(request, cancellation, warn);
@@ -50,13 +51,14 @@ void add_horton(Program& program) {
   verb.option("--model", options->model,
               "families, NAME[,NAME..] or all, the best of which gives errors; if left out all of one "
               "parameter. See: ramify list families");
-  verb.option("--trees", options->trees, "trees of the fitted model that are grown for errors and bias",
-              Need::defaulted);
+  verb.option("--trees", options->trees,
+              "trees of the fitted model that are grown for errors and bias; if left out 400, of many nodes "
+              "fewer");
   verb.option("--seed", options->seed, "seed", Need::defaulted);
   verb.option("--threads", options->threads,
               "threads; all cores if left out. The result does not depend on it");
   options->output.add_table_to(verb);
-  verb.example("Example: ramify horton data/walnut.csv");
+  verb.example("Example: ramify horton data/new_hope_creek.csv");
   verb.work([options](const Cancellation& cancellation) { return horton(*options, cancellation); });
 }
 

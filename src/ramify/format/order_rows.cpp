@@ -110,7 +110,8 @@ class OrderReader {
     const double value = number_or_none(source_, style_, fields[*column], name);
     if (value <= 0)
       throw source_.error(fields[*column], fmt::format("{} {}", name, value),
-                          fmt::format("a {} is positive", name), "correct it, or leave the field empty");
+                          fmt::format("the {} of streams is positive", name),
+                          "correct it, or leave the field empty");
     return value;
   }
 

@@ -15,6 +15,7 @@
 namespace ramify {
 namespace {
 
+constexpr double badly = 0.001;  // chance of a misfit as large
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<double> reals(const std::vector<std::uint64_t>& counts) {
@@ -73,8 +74,13 @@ class Ratios {
     }
     const Model model = best->family->at(best->estimates());
     laws_.model = fitted_text(*best);
-    laws_.trees = options.trees.trees;
-    model_.emplace(model, counts_, options.trees, cancellation);
+    ModelTrees plan = options.trees;
+    if (plan.trees == 0) plan.trees = trees_at(tree_.streams.front() - 1);
+    laws_.trees = plan.trees;
+    model_.emplace(model, counts_, plan, cancellation);
+    if (best->goodness.p_value < badly)
+      misfit_ = fmt::format("the model fits badly (misfit_p {:.1g}): its errors are not those of such a tree",
+                            best->goodness.p_value);
     const auto limit = horton_ratio_constant(model);
     laws_.reference = limit ? limit->value : model_->pooled_means();
     laws_.reference_name = limit ? "limit" : "pooled_means";
@@ -119,6 +125,7 @@ class Ratios {
     const bool dense = range == OrderRange::dense;
     const ModelRatio expected = dense ? model_->by_law(kind, orders) : model_->by_trees(kind, range);
     ratio.standard_error = expected.deviation;
+    add_sentence(ratio.note, misfit_);
     ratio.error_from = dense ? ErrorSource::law : ErrorSource::trees;
     ratio.bias = expected.mean - laws_.reference;
     return ratio;
@@ -189,7 +196,7 @@ class Ratios {
   }
 
   static void add_sentence(std::string& note, const std::string& sentence) {
-    note += note.empty() ? sentence : "; " + sentence;
+    if (!sentence.empty()) note += note.empty() ? sentence : "; " + sentence;
   }
 
   /// What nobody sees in a table: that its highest order ends where the measuring did.
@@ -206,11 +213,16 @@ class Ratios {
   const MeasuredOrders& tree_;
   std::vector<double> counts_;
   HortonLaws laws_;
-  std::string no_model_;
+  std::string no_model_, misfit_;
   std::optional<ModelRatios> model_;
 };
 
 }  // namespace
+
+std::uint64_t trees_at(Size n) {
+  constexpr std::uint64_t nodes = 1'000'000'000, fewest = 60, most = 400;
+  return std::clamp<std::uint64_t>(nodes / n, fewest, most);
+}
 
 std::vector<const Family*> one_parameter_families() {
   std::vector<const Family*> chosen;
