@@ -79,8 +79,8 @@ class Ratios {
     laws_.trees = plan.trees;
     model_.emplace(model, counts_, plan, cancellation);
     if (best->goodness.p_value < badly)
-      misfit_ = fmt::format("the model fits badly (misfit_p {:.1g}): its errors are not those of such a tree",
-                            best->goodness.p_value);
+      misfit_ = fmt::format(
+          "the model fits badly (misfit_p below {}): its errors are not those of such a tree", badly);
     const auto limit = horton_ratio_constant(model);
     laws_.reference = limit ? limit->value : model_->pooled_means();
     laws_.reference_name = limit ? "limit" : "pooled_means";
