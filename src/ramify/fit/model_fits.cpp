@@ -116,7 +116,7 @@ std::vector<OrderCounts> order_counts_of(std::span<const RecordedTree> trees) {
   std::vector<OrderCounts> tables;
   for (const RecordedTree& tree : trees) {
     const MeasuredOrders orders = measure_orders(tree);
-    tables.push_back({orders.name, 0, orders.streams, {}, {}, {}});
+    tables.push_back({orders.name, 0, orders.streams, {}, {}, {}, {}, {}});
   }
   return tables;
 }
