@@ -1,31 +1,22 @@
 #include <memory>
 #include <variant>
 
+#include "reading.hpp"
 #include "session.hpp"
 #include "verbs.hpp"
 #include <fmt/format.h>
 
 #include "ramify/measure/horton_plot.hpp"
 #include "ramify/measure/measure_files.hpp"
-#include "ramify/text/read_count.hpp"
 
 namespace ramify::cli {
 namespace {
 
 struct MeasureArguments {
-  std::vector<std::string> files;
-  std::string format = "auto", leaf_order = "1", root, scale = "0", resolve, table, statistics, plot;
+  Reading reading;
+  std::string table, statistics, plot;
   Output output;
-  bool keep_unary = false;
 };
-
-unsigned small_number(const std::string& option, const std::string& text, std::uint64_t most) {
-  const std::uint64_t value = read_count(option, text);
-  if (value > most)
-    throw Error(fmt::format("{} {}", option, text), fmt::format("it is from 0 to {}", most),
-                "take one of these");
-  return static_cast<unsigned>(value);
-}
 
 /// Of --table; --statistics chooses columns of the summary.
 MeasureRequest::Output table_of(const MeasureArguments& options) {
@@ -45,15 +36,10 @@ MeasureRequest::Output table_of(const MeasureArguments& options) {
 }
 
 MeasureRequest request_of(const MeasureArguments& options) {
-  MeasureRequest request;
-  request.files = options.files;
-  request.output = table_of(options);
+  const MeasureRequest::Output output = table_of(options);
+  MeasureRequest request = options.reading.request();
+  request.output = output;
   if (!options.statistics.empty()) request.statistics = StatisticSet::parse(split_list(options.statistics));
-  request.format = parse_tree_format(options.format);
-  request.leaf_order = small_number("--leaf-order", options.leaf_order, 1);
-  request.reading = {options.root, small_number("--scale", options.scale, 1000)};
-  request.keep_unary = options.keep_unary;
-  if (!options.resolve.empty()) request.resolve = parse_fork_resolution(options.resolve);
   return request;
 }
 
@@ -76,20 +62,7 @@ ExitCode measure(const MeasureArguments& options, const Cancellation& cancellati
 void add_measure(Program& program) {
   auto options = std::make_shared<MeasureArguments>();
   Verb verb = program.verb("measure", "Orders, ratios and every statistic of trees read from files");
-  verb.option("FILE", options->files, "files of trees, or of counts of streams; - is standard input",
-              Need::required);
-  verb.option("--format", options->format,
-              "newick, nexus, swc, mtg, qsm, edges, flowlines, parens or json; auto: found by content",
-              Need::defaulted);
-  verb.option("--leaf-order", options->leaf_order, "order of the tips in the table: 0 or 1", Need::defaulted);
-  verb.option("--root", options->root,
-              "of a table: the id of the root; all: every root a tree of its own; neurites: what leaves "
-              "the soma of a neuron");
-  verb.option("--scale", options->scale, "of an MTG: the scale of the nodes; 0 the finest", Need::defaulted);
-  verb.flag("--keep-unary", options->keep_unary,
-            "count one-child nodes, as in tries, instead of contracting them");
-  verb.option("--resolve", options->resolve,
-              "make forks of three and more into forks of two: ladder (in their order) or random");
+  options->reading.add_to(verb);
   verb.option("--table", options->table,
               "orders (if nothing is said), summary (a row a tree), norms (beside Yule and uniform trees), "
               "levels (a row a depth), nodes (a row a node) or json");

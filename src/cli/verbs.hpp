@@ -15,6 +15,7 @@ void add_theory(Program& program);
 void add_run(Program& program);
 void add_reproduce(Program& program);
 void add_fit(Program& program);
+void add_horton(Program& program);
 void add_design(Program& program);
 void add_report(Program& program);
 void add_draw(Program& program);
@@ -23,7 +24,7 @@ void add_describe(Program& program);
 /// All of them, in the order of --help.
 inline void add_verbs(Program& program) {
   for (const auto add : {add_list, add_sample, add_law, add_measure, add_test, add_trie, add_theory, add_run,
-                         add_reproduce, add_fit, add_design, add_report, add_draw, add_describe})
+                         add_reproduce, add_fit, add_horton, add_design, add_report, add_draw, add_describe})
     add(program);
 }
 

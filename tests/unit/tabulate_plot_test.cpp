@@ -100,7 +100,7 @@ TEST(SamplePlot, IsOfOneColumn) {
 }
 
 TEST(HortonPlot, GeometricCountsLieOnTheirLine) {
-  const Plot plot = horton_plot({{"tree", {}, {27, 9, 3, 1}, {1, 2, 4, 8}, {}}}, 1);
+  const Plot plot = horton_plot({{"tree", {}, {27, 9, 3, 1}, {1, 2, 4, 8}, {}, {}, {}}}, 1);
   EXPECT_EQ(plot.title, "Horton diagram of tree");
   ASSERT_EQ(plot.series.size(), 2u);
   EXPECT_EQ(plot.series[0].label, "streams: divided by 3 an order");
@@ -112,13 +112,13 @@ TEST(HortonPlot, GeometricCountsLieOnTheirLine) {
 
 // The slope of log 8, log 2, log 1 on the order is (log 1 - log 8)/2: a ratio of sqrt(8).
 TEST(HortonPlot, TheLineIsThatOfTheRegression) {
-  const Plot plot = horton_plot({{"tree", {}, {8, 2, 1}, {}, {}}}, 0);
+  const Plot plot = horton_plot({{"tree", {}, {8, 2, 1}, {}, {}, {}, {}}}, 0);
   EXPECT_EQ(plot.series[0].label, "streams: divided by 2.828 an order");
   EXPECT_NEAR(plot.series[0].guide[0].y / plot.series[0].guide[1].y, std::sqrt(8.0), 1e-12);
 }
 
 TEST(HortonPlot, OfSeveralTreesTheCounts) {
-  const MeasuredOrders tree{"a", {}, {3, 1}, {1, 2}, {}};
+  const MeasuredOrders tree{"a", {}, {3, 1}, {1, 2}, {}, {}, {}};
   EXPECT_EQ(horton_plot({tree, tree}, 1).series.size(), 2u);
   EXPECT_NE(test::error_of([&] { horton_plot(std::vector(9, tree), 1); }), "");
 }

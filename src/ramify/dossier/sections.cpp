@@ -172,7 +172,7 @@ PageSection ratios_section(const Subject& subject, const ReportRequest& request)
                 "highest by sum but the "
                 "lowest; least-squares line through the logarithms; lowest and highest order alone",
                 readable(table)});
-  if (const MurrayExponent& murray = subject.measured.murray; murray.forks > 0)
+  if (const MurrayExponent& murray = subject.measured.orders.murray; murray.forks > 0)
     section.blocks.emplace_back(
         PageParagraph{std::isnan(murray.median)
                           ? fmt::format("Murray's exponent, the median over {}, is infinite: in half of them "

@@ -14,7 +14,7 @@ namespace ramify {
 namespace {
 
 Subject subject_of(OrderCounts counts, const std::string& file) {
-  Subject subject{file,           counts.name, 0, 0, {}, {}, {}, {measure_orders(counts), std::nullopt, {}},
+  Subject subject{file,           counts.name, 0, 0, {}, {}, {}, {measure_orders(counts), std::nullopt},
                   counts.warnings};
   subject.counts = std::move(counts);
   return subject;

@@ -20,6 +20,7 @@ constexpr Size smallest_n = 20;    // below, counts above the tips are too few f
 
 /// Throws Error where counts tell too little.
 void require_counts(const OrderCounts& table) {
+  if (table.contradiction) throw *table.contradiction;
   const std::string few = too_few_to_fit(table);
   if (few.empty()) return;
   throw Error(fmt::format("{}: {}", table.name, few),
@@ -110,7 +111,7 @@ std::vector<OrderCounts> order_counts_of(std::span<const RecordedTree> trees) {
   std::vector<OrderCounts> tables;
   for (const RecordedTree& tree : trees) {
     const MeasuredOrders orders = measure_orders(tree);
-    tables.push_back({orders.name, 0, orders.streams, {}, {}, {}});
+    tables.push_back({orders.name, 0, orders.streams, {}, {}, {}, {}, {}});
   }
   return tables;
 }

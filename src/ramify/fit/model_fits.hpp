@@ -42,7 +42,7 @@ std::string too_few_to_fit(const OrderCounts& table);
 /// Fits families to tables of stream counts (count_likelihood.hpp), one datum a tree.
 ///
 /// A family that cannot be fitted at a size is listed with a note that says why. Throws Error where a table
-/// is too small for any, Interrupted.
+/// is too small for any or holds counts that no binary tree has (OrderCounts::contradiction), Interrupted.
 /// @param file  that the tables come from: what their names begin with
 std::vector<FittedDatum> fit_order_counts(std::span<const OrderCounts> tables, std::string_view file,
                                           const ModelFitOptions& options, const Cancellation& cancellation);

@@ -50,8 +50,8 @@ std::vector<std::uint64_t> counts_of(const SourceText& source, const std::vector
     counts.push_back(row.count);
   }
   if (counts.size() < 2)
-    throw Error(fmt::format("{}: {} order(s)", source.name(), counts.size()),
-                "a bifurcation ratio needs two orders", "add rows");
+    throw source.error(rows.front().order_field, fmt::format("order {} alone", rows.front().order),
+                       "a bifurcation ratio needs two orders", "add rows");
   return counts;
 }
 
@@ -69,7 +69,7 @@ std::vector<std::string> warnings_of(const SourceText& source, const std::vector
         orders.name, sum, counts.front()));
   }
   for (std::size_t k = 0; k + 1 < counts.size(); ++k) {
-    if (counts[k] / 2 >= counts[k + 1]) continue;
+    if (can_follow(counts[k], counts[k + 1])) continue;
     SourceLocation place = source.at(source.offset(rows[k + 1].count_field));
     place.column = 0;
     warnings.push_back(
@@ -84,17 +84,31 @@ std::vector<std::string> warnings_of(const SourceText& source, const std::vector
   return warnings;
 }
 
+/// The first order that has too many streams for a binary tree.
+std::optional<Error> contradiction_of(const SourceText& source, const std::vector<OrderRow>& rows,
+                                      const std::vector<std::uint64_t>& counts) {
+  for (std::size_t k = 0; k + 1 < counts.size(); ++k)
+    if (!can_follow(counts[k], counts[k + 1]))
+      return source.error(
+          rows[k + 1].count_field, fmt::format("count {} after {}", counts[k + 1], counts[k]),
+          "two streams of one order meet for each of the next, so counts fall by half or more",
+          "count streams, not links, nodes or Horsfield orders");
+  return std::nullopt;
+}
+
 OrderCounts counts_of_tree(const SourceText& source, const std::string& name, std::vector<OrderRow> rows) {
   std::ranges::stable_sort(rows, {}, &OrderRow::order);
-  OrderCounts orders{name, leaf_order_of(source, rows), {}, {}, {}, {}};
+  OrderCounts orders{name, leaf_order_of(source, rows), {}, {}, {}, {}, {}, {}};
   orders.counts = counts_of(source, rows, orders.leaf_order);
   for (const OrderRow& row : rows) {
     orders.diameters.push_back(row.diameter);
     orders.lengths.push_back(row.length);
+    orders.areas.push_back(row.area);
   }
-  for (auto* means : {&orders.diameters, &orders.lengths})
+  for (auto* means : {&orders.diameters, &orders.lengths, &orders.areas})
     if (std::ranges::all_of(*means, [](double mean) { return std::isnan(mean); })) means->clear();
   orders.warnings = warnings_of(source, rows, orders);
+  orders.contradiction = contradiction_of(source, rows, orders.counts);
   return orders;
 }
 

@@ -18,10 +18,10 @@ namespace {
 using Column = std::optional<std::size_t>;
 
 struct OrderColumns {
-  Column tree, order, count, leaf_order, length, radius, diameter;
+  Column tree, order, count, leaf_order, length, radius, diameter, area;
 
   bool uses(std::size_t column) const {
-    const std::array all{tree, order, count, leaf_order, length, radius, diameter};
+    const std::array all{tree, order, count, leaf_order, length, radius, diameter, area};
     return std::ranges::find(all, Column(column)) != all.end();
   }
 };
@@ -32,7 +32,7 @@ OrderColumns columns_of(const DelimitedRows& rows) {
   const auto find = [&](ColumnRole role) { return find_column(names, role); };
   OrderColumns columns{find(ColumnRole::tree),       find(ColumnRole::order),  find(ColumnRole::count),
                        find(ColumnRole::leaf_order), find(ColumnRole::length), find(ColumnRole::radius),
-                       find(ColumnRole::diameter)};
+                       find(ColumnRole::diameter),   find(ColumnRole::area)};
   if (!columns.order || !columns.count)
     throw rows.source().error(rows.fields().front(),
                               fmt::format("no column of {}", columns.order ? "counts" : "orders"),
@@ -69,6 +69,7 @@ class OrderReader {
                  {},
                  positive(columns_.diameter, fields, "diameter"),
                  positive(columns_.length, fields, "length"),
+                 positive(columns_.area, fields, "area"),
                  order,
                  count,
                  {}};
@@ -109,7 +110,8 @@ class OrderReader {
     const double value = number_or_none(source_, style_, fields[*column], name);
     if (value <= 0)
       throw source_.error(fields[*column], fmt::format("{} {}", name, value),
-                          fmt::format("a {} is positive", name), "correct it, or leave the field empty");
+                          fmt::format("the {} of streams is positive", name),
+                          "correct it, or leave the field empty");
     return value;
   }
 
@@ -137,11 +139,11 @@ OrderRows read_order_rows(const SourceText& source) {
   const bool row_names = has_row_names(rows, width);
   if (row_names)
     for (Column* column : {&columns.tree, &columns.order, &columns.count, &columns.leaf_order,
-                           &columns.length, &columns.radius, &columns.diameter})
+                           &columns.length, &columns.radius, &columns.diameter, &columns.area})
       if (*column) ++**column;
-  OrderReader reader(
-      source, columns,
-      style_of(rows, {columns.order, columns.count, columns.length, columns.radius, columns.diameter}));
+  OrderReader reader(source, columns,
+                     style_of(rows, {columns.order, columns.count, columns.length, columns.radius,
+                                     columns.diameter, columns.area}));
   do {
     require_fields(rows, row_names ? width + 1 : width);
     reader.add(rows.fields());

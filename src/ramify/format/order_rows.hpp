@@ -15,7 +15,7 @@ namespace ramify::detail {
 struct OrderRow {
   std::uint64_t order, count;
   std::optional<std::uint64_t> leaf_order;
-  double diameter, length;  ///< NaN where there is none
+  double diameter, length, area;  ///< NaN where there is none
   std::string_view order_field, count_field, leaf_order_field;
 };
 

@@ -20,6 +20,8 @@ constexpr Name length_names[]{"length",        "len",          "lengthcyl",
                               "segmentlength", "streamlength", "meanlength"};
 constexpr Name radius_names[]{"radius", "radiuscyl", "r", "rad", "meanradius"};
 constexpr Name diameter_names[]{"diameter", "diam", "dia", "width", "meandiameter"};
+constexpr Name area_names[]{"area",      "meanarea",      "drainagearea", "meandrainagearea",
+                            "basinarea", "catchmentarea", "catchment"};
 constexpr Name name_names[]{"name", "label", "gnisname", "taxon"};
 constexpr Name order_names[]{"order",         "strahler",    "strahlerorder", "strahlernumber",
                              "hortonorder",   "streamorder", "orderu",        "hortonstrahlerorder",
@@ -87,6 +89,8 @@ std::span<const Name> names_of(ColumnRole role) {
       return tree_names;
     case ColumnRole::length:
       return length_names;
+    case ColumnRole::area:
+      return area_names;
     case ColumnRole::radius:
       return radius_names;
     case ColumnRole::diameter:

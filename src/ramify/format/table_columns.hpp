@@ -24,7 +24,7 @@ std::string plain_column(std::string_view column);
 
 /// The usual names of a column that is read, as plain_column() gives them; the first that a header has is
 /// taken.
-enum class ColumnRole { tree, length, radius, diameter, name, order, count, leaf_order };
+enum class ColumnRole { tree, length, radius, diameter, area, name, order, count, leaf_order };
 std::optional<std::size_t> find_column(const std::vector<std::string>& plain_header, ColumnRole role);
 
 /// The columns of a river table; nothing where it has none of the pairs of ids.

@@ -73,7 +73,7 @@ class Measured {
     if (request_.output == Output::orders) {
       orders_.push_back(std::move(orders));
     } else {
-      all_.push_back({std::move(orders), std::nullopt, {}});
+      all_.push_back({std::move(orders), std::nullopt});
     }
   }
 

@@ -69,10 +69,12 @@ std::string json_of(const TreeMeasurement& tree, unsigned leaf_order) {
     members.emplace_back("stream_length_law", second_law(tree.orders.mean_lengths));
   if (!tree.orders.mean_radii.empty())
     members.emplace_back("stream_radius_law", second_law(tree.orders.mean_radii));
+  if (!tree.orders.mean_areas.empty())
+    members.emplace_back("stream_area_law", second_law(tree.orders.mean_areas));
   if (tree.measures && !tree.orders.mean_radii.empty())
-    members.emplace_back("murray", json_line({{"exponent", json_number(tree.murray.median)},
-                                              {"forks", std::to_string(tree.murray.forks)},
-                                              {"infinite", std::to_string(tree.murray.infinite)}}));
+    members.emplace_back("murray", json_line({{"exponent", json_number(tree.orders.murray.median)},
+                                              {"forks", std::to_string(tree.orders.murray.forks)},
+                                              {"infinite", std::to_string(tree.orders.murray.infinite)}}));
   return indent + json_object(members, indent);
 }
 

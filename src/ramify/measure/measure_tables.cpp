@@ -40,9 +40,11 @@ std::vector<std::string> ratio_columns(const std::string& what) {
 Table orders_table(const std::vector<MeasuredOrders>& trees, unsigned leaf_order) {
   const bool lengths = any(trees, [](const auto& tree) { return !tree.mean_lengths.empty(); });
   const bool radii = any(trees, [](const auto& tree) { return !tree.mean_radii.empty(); });
+  const bool areas = any(trees, [](const auto& tree) { return !tree.mean_areas.empty(); });
   std::vector<std::string> header{"tree", "leaf_order", "order", "nodes", "streams"};
   if (lengths) header.emplace_back("mean_length");
   if (radii) header.emplace_back("mean_radius");
+  if (areas) header.emplace_back("mean_area");
   Table table(std::move(header));
   for (const MeasuredOrders& tree : trees) {
     for (std::size_t k = 0; k < tree.streams.size(); ++k) {
@@ -56,6 +58,7 @@ Table orders_table(const std::vector<MeasuredOrders>& trees, unsigned leaf_order
       row.whole(tree.streams[k]);
       add_geometry(row, lengths, tree.mean_lengths, k);
       add_geometry(row, radii, tree.mean_radii, k);
+      add_geometry(row, areas, tree.mean_areas, k);
       table.add(std::move(row));
     }
   }
@@ -68,6 +71,7 @@ Table summary_table(const std::vector<TreeMeasurement>& trees, unsigned leaf_ord
   const bool lengths =
       whole && any(trees, [](const auto& tree) { return !tree.orders.mean_lengths.empty(); });
   const bool radii = whole && any(trees, [](const auto& tree) { return !tree.orders.mean_radii.empty(); });
+  const bool areas = whole && any(trees, [](const auto& tree) { return !tree.orders.mean_areas.empty(); });
   std::size_t largest = 0;
   for (const auto& tree : trees) largest = std::max(largest, tree.orders.streams.size() - 1);
   const auto columns = chosen.value_or(StatisticSet::all()).columns(largest);
@@ -79,6 +83,7 @@ Table summary_table(const std::vector<TreeMeasurement>& trees, unsigned leaf_ord
     std::ranges::copy(ratio_columns("radius"), std::back_inserter(header));
     header.insert(header.end(), {"murray_exponent", "murray_forks", "murray_infinite"});
   }
+  if (areas) std::ranges::copy(ratio_columns("area"), std::back_inserter(header));
   Table table(std::move(header));
   for (const TreeMeasurement& tree : trees) {
     Row row;
@@ -89,8 +94,11 @@ Table summary_table(const std::vector<TreeMeasurement>& trees, unsigned leaf_ord
     if (lengths) add_ratios(row, tree.orders.mean_lengths);
     if (radii) {
       add_ratios(row, tree.orders.mean_radii);
-      row.summary(tree.murray.median).whole(tree.murray.forks).whole(tree.murray.infinite);
+      row.summary(tree.orders.murray.median)
+          .whole(tree.orders.murray.forks)
+          .whole(tree.orders.murray.infinite);
     }
+    if (areas) add_ratios(row, tree.orders.mean_areas);
     table.add(std::move(row));
   }
   return table;

@@ -9,8 +9,8 @@
 
 namespace ramify {
 
-/// `tree,leaf_order,order,nodes,streams[,mean_length][,mean_radius]`: a row for every order of every tree,
-/// the geometry where any tree has it. @param leaf_order  0 or 1: order of the external nodes
+/// `tree,leaf_order,order,nodes,streams[,mean_length][,mean_radius][,mean_area]`: a row for every order of
+/// every tree, the geometry where any tree has it. @param leaf_order  0 or 1: order of the external nodes
 Table orders_table(const std::vector<MeasuredOrders>& trees, unsigned leaf_order);
 
 /// A row for every tree: every statistic of the registry, the pooled ratios, and where any tree has geometry

@@ -20,6 +20,7 @@ void add_geometry(const RecordedTree& tree, MeasuredOrders& orders) {
   StreamGeometry geometry = stream_geometry(tree.tree, tree.lengths, tree.radii);
   orders.mean_lengths = std::move(geometry.mean_lengths);
   orders.mean_radii = std::move(geometry.mean_radii);
+  orders.murray = murray_exponent(tree.tree, tree.radii);
 }
 
 }  // namespace
@@ -27,7 +28,7 @@ void add_geometry(const RecordedTree& tree, MeasuredOrders& orders) {
 MeasuredOrders measure_orders(const RecordedTree& tree) {
   HortonStrahler fold;
   const std::size_t highest = measure(tree.tree, fold);
-  MeasuredOrders orders{tree.name, up_to(fold.nodes(), highest), up_to(fold.streams(), highest), {}, {}};
+  MeasuredOrders orders{tree.name, up_to(fold.nodes(), highest), up_to(fold.streams(), highest), {}, {}, {}};
   add_geometry(tree, orders);
   return orders;
 }
@@ -37,15 +38,14 @@ TreeMeasurement measure_all(const RecordedTree& tree) {
   TreeMeasurement all;
   all.measures = measure_tree(tree.tree, key, 0);
   const std::size_t highest = all.measures->strahler;
-  all.orders = {
-      tree.name, up_to(all.measures->nodes, highest), up_to(all.measures->streams, highest), {}, {}};
+  all.orders = {tree.name, up_to(all.measures->nodes, highest), up_to(all.measures->streams, highest), {}, {},
+                {}};
   add_geometry(tree, all.orders);
-  all.murray = murray_exponent(tree.tree, tree.radii);
   return all;
 }
 
 MeasuredOrders measure_orders(const OrderCounts& counts) {
-  MeasuredOrders orders{counts.name, {}, counts.counts, counts.lengths, counts.diameters};
+  MeasuredOrders orders{counts.name, {}, counts.counts, counts.lengths, counts.diameters, counts.areas};
   for (double& radius : orders.mean_radii) radius /= 2;
   return orders;
 }

@@ -19,13 +19,14 @@ struct MeasuredOrders {
   std::vector<std::uint64_t> streams;
   std::vector<double> mean_lengths;  ///< of the streams of orders 0..S, NaN where none; or empty
   std::vector<double> mean_radii;    ///< likewise
+  std::vector<double> mean_areas;    ///< of drainage, likewise; of published tables alone
+  MurrayExponent murray{};           ///< fork by fork; of none where there is no tree with radii
 };
 
 /// All that it says of a tree.
 struct TreeMeasurement {
   MeasuredOrders orders;
   std::optional<TreeMeasures> measures;  ///< nothing where only counts of streams are known
-  MurrayExponent murray{};
 };
 
 /// Orders, with the rule B22 where a node has more than two children: m + 1 if two or more of them have the
