@@ -14,7 +14,7 @@ namespace {
 
 struct HortonArguments {
   Reading reading;
-  std::string model, trees, seed = "1996", threads;
+  std::string model, trees = "400", seed = "1996", threads;
   Output output;
 };
 
@@ -22,9 +22,8 @@ HortonOptions horton_options(const HortonArguments& options) {
   constexpr std::uint64_t fewest = 40;
   HortonOptions horton;
   horton.families = options.model.empty() ? one_parameter_families() : chosen_families(options.model);
-  horton.trees = {0, read_count("--seed", options.seed), read_threads(options.threads)};
-  if (options.trees.empty()) return horton;
-  horton.trees.trees = read_count("--trees", options.trees);
+  horton.trees = {read_count("--trees", options.trees), read_count("--seed", options.seed),
+                  read_threads(options.threads)};
   if (horton.trees.trees < fewest)
     throw Error(fmt::format("--trees {}", options.trees), "fewer trees say little of how a ratio scatters",
                 fmt::format("take {} or more", fewest));
@@ -51,9 +50,8 @@ void add_horton(Program& program) {
   verb.option("--model", options->model,
               "families, NAME[,NAME..] or all, the best of which gives errors; if left out all of one "
               "parameter. See: ramify list families");
-  verb.option("--trees", options->trees,
-              "trees of the fitted model that are grown for errors and bias; if left out 400, of many nodes "
-              "fewer");
+  verb.option("--trees", options->trees, "trees of the fitted model that are grown for errors and bias",
+              Need::defaulted);
   verb.option("--seed", options->seed, "seed", Need::defaulted);
   verb.option("--threads", options->threads,
               "threads; all cores if left out. The result does not depend on it");

@@ -20,6 +20,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "ramify/large/stream_counts.hpp"
 #include "ramify/law/build_law.hpp"
 #include "ramify/law/depth_law.hpp"
 #include "ramify/law/exact_means.hpp"
@@ -137,7 +138,8 @@ INSTANTIATE_TEST_SUITE_P(Every, Grafted, testing::ValuesIn(test::all_models()), 
 
 // ---- mean counts ----
 
-constexpr Size averaged_n = 60'000;  // subtrees are averaged up to 128
+constexpr Size averaged_n = 1 << 18;  // subtrees are averaged up to 512, the larger of them from the grid
+constexpr std::uint64_t averaged_trees = 1500;
 
 struct RatioSample {
   test::SampleMean ratio, square;  ///< streams mean ratio, and its squared distance from `centre`
@@ -146,7 +148,7 @@ struct RatioSample {
 
 RatioSample sample_ratios(const Model& model, FoldSet pass, double centre, const std::string& tag) {
   RatioSample result;
-  sample(model, {pass, true}, averaged_n, 4000, tag, [&](const TreeMeasures& m) {
+  sample(model, {pass, true}, averaged_n, averaged_trees, tag, [&](const TreeMeasures& m) {
     const double ratio = order_ratios(std::span(m.streams).first(m.strahler + 1)).mean_ratio;
     result.ratio.add(ratio);
     result.square.add((ratio - centre) * (ratio - centre));
@@ -178,6 +180,30 @@ TEST_P(MeanCountsOf, LeaveTheRatiosOfTrees) {
   EXPECT_TRUE(test::agrees(difference(name + " spread", counted.square, averaged.square)));
 }
 
+// Where most of what is grafted comes from the grid: orders by their law, counts by their means.
+TEST_P(MeanCountsOf, FromTheGridHaveTheLargeLaws) {
+  constexpr Size size = Size{1} << 22;  // averaged up to 8192
+  const Model model = Model::parse(GetParam());
+  const StreamCounts law = stream_counts(model, size);
+  std::vector<test::SampleMean> streams(law.orders());
+  std::vector<std::uint64_t> orders(law.orders());
+  sample(model, {orders_and_mean_counts, true}, size, 4000, std::string("grid ") + GetParam(),
+         [&](const TreeMeasures& m) {
+           for (std::size_t k = 0; k < streams.size(); ++k) streams[k].add(static_cast<double>(m.streams[k]));
+           ++orders[m.strahler];
+         });
+  std::vector<double> expected;
+  for (std::size_t s = 0; s < law.orders(); ++s)
+    expected.push_back(law.order_tail[s] - law.order_tail[s + 1]);
+  const std::string name = GetParam();
+  EXPECT_TRUE(test::agrees(test::chi_square(name + " order", orders, expected)));
+  for (std::size_t k = 1; k < streams.size(); ++k)
+    if (law.means[k] > 1) {
+      EXPECT_TRUE(test::agrees(
+          test::z_test_of_counts(fmt::format("{} streams_{}", name, k), streams[k], law.means[k])));
+    }
+}
+
 TEST(MeanCounts, OfTheNextModelAreFoundOut) {
   const auto right = sample_ratios(Model::parse("patricia(0.30)"), orders_and_mean_counts, 0, "right");
   const auto wrong = sample_ratios(Model::parse("patricia(0.29)"), orders_and_mean_counts, 0, "wrong");
@@ -189,7 +215,7 @@ INSTANTIATE_TEST_SUITE_P(Fitted, MeanCountsOf,
 
 // ---- tables that are wrong ----
 
-using OrderTable = GraftTableOf<HortonStrahler>;
+using OrderTable = GraftTable<HortonStrahler::Value, TallyOf<HortonStrahler>>;
 
 /// Orders and counts of a model, each size holding the law of the size `shift` away.
 OrderTable order_table(const std::string& text, Size largest, int shift) {

@@ -26,7 +26,7 @@ FamilyFit fit_with(const char* family, double aic) {
 
 Subject subject_with(std::vector<std::uint64_t> counts) {
   Subject subject{"t.csv", "t.csv", 1, 1, {}, {}, {}, {}, {}};
-  subject.counts = OrderCounts{"t.csv", 1, counts, {}, {}, {}};
+  subject.counts = OrderCounts{"t.csv", 1, counts, {}, {}, {}, {}, {}};
   subject.measured.orders = measure_orders(*subject.counts);
   return subject;
 }

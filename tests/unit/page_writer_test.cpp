@@ -16,7 +16,7 @@
 namespace ramify {
 namespace {
 
-constexpr const char* svg =
+constexpr const char* picture_svg =
     "<?xml version=\"1.0\"?>\n<!DOCTYPE svg>\n"
     "<svg width=\"10\" xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\">"
     "<title>Gnuplot</title><desc>made by</desc><g id=\"a\"/><use xlink:href=\"#a\"/>"
@@ -25,11 +25,13 @@ constexpr const char* svg =
 Page small_page() {
   Table table({"order", "what"});
   table.add(Row().whole(1).text("a < b | c"));
-  PageSection inner{"Inner", {PagePicture{svg, "one \"picture\"", "First"}}, {}};
+  PageSection inner{"Inner", {PagePicture{picture_svg, "one \"picture\"", "First"}}, {}};
   return {"Tom & <Jerry>",
           {PageParagraph{"lead"}},
           {{"One", {PageTable{"Caption", table}, PageCommands{{"ramify x 'a<b'"}}}, {inner}},
-           {"Two", {PagePicture{svg, "another", "Second"}, PageList{{"* no emphasis *", "snake_case"}}}, {}}},
+           {"Two",
+            {PagePicture{picture_svg, "another", "Second"}, PageList{{"* no emphasis *", "snake_case"}}},
+            {}}},
           {PageParagraph{"made"}}};
 }
 
@@ -102,7 +104,7 @@ TEST(HtmlPage, TablesHaveCaptionsAndScopesAndNumbersStandAtTheRight) {
 }
 
 TEST(InlineSvg, LosesPrologNamespacesAndTitlesAndGetsIdsOfItsOwn) {
-  EXPECT_EQ(inline_svg(svg, "p-"),
+  EXPECT_EQ(inline_svg(picture_svg, "p-"),
             "<svg width=\"10\"><g id=\"p-a\"/><use xlink:href=\"#p-a\"/>"
             "<rect id='p-b' clip-path=\"url(#p-a)\"/><use href='#p-b'/>"
             "<text> id=\"a\" stays</text></svg>\n");

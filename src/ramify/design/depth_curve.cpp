@@ -10,8 +10,8 @@
 #include "ramify/core/error.hpp"
 #include "ramify/core/number.hpp"
 #include "ramify/design/design_row.hpp"
-#include "ramify/design/root_between.hpp"
 #include "ramify/model/parameter.hpp"
+#include "ramify/optimise/root_between.hpp"
 #include "ramify/theory/depth_constant.hpp"
 #include "ramify/theory/height_constant.hpp"
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "ramify/design/scanned_curve.hpp"
+#include "ramify/optimise/scanned_curve.hpp"
 #include "ramify/theory/beta_split.hpp"
 
 namespace ramify {

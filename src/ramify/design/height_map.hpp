@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "ramify/design/scanned_curve.hpp"
 #include "ramify/io/table.hpp"
+#include "ramify/optimise/scanned_curve.hpp"
 #include "ramify/report/plot.hpp"
 
 namespace ramify {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ramify/design/scanned_curve.hpp"
 #include "ramify/io/table.hpp"
+#include "ramify/optimise/scanned_curve.hpp"
 #include "ramify/tree/grammar.hpp"
 
 namespace ramify {

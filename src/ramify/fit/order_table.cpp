@@ -5,6 +5,7 @@
 
 #include "ramify/fit/ratio_table.hpp"
 #include "ramify/format/order_counts.hpp"
+#include "ramify/measure/tree_measurement.hpp"
 #include "ramify/statistic/order_ratios.hpp"
 #include "ramify/text/located_error.hpp"
 
@@ -38,6 +39,8 @@ RatioDatum datum_of(const OrderCounts& orders, std::string_view file) {
   datum.observed[index_of(RatioEstimator::streams_mean_ratio)] = ratios.mean_ratio;
   datum.observed[index_of(RatioEstimator::streams_regression)] = ratios.regression;
   datum.observed[index_of(RatioEstimator::streams_geometric)] = ratios.geometric;
+  datum.observed_by_law[index_of(LawEstimator::streams_pooled_ratio)] = pooled_over_orders(orders.counts);
+  datum.observed_by_law[index_of(LawEstimator::streams_regression_of_means)] = ratios.regression;
   datum.branching = {ratios.regression, 0};
   datum.diameter_ratio = diameter_ratio_of(orders.diameters);
   datum.sizes = {{orders.counts.front() - 1, "counted", ""}};

@@ -30,9 +30,11 @@ struct RatioDatum {
   std::string name;
   SourceLocation where;
   /// What each estimator is to reproduce; none where the data cannot be a value of it. A printed ratio is
-  /// offered to all six, since publications seldom say which they mean; a table of stream counts has its own
+  /// offered to all, since publications seldom say which they mean; a table of stream counts has its own
   /// value of each streams estimator.
   std::array<std::optional<double>, ratio_estimator_count> observed;
+  /// Likewise; of a table of counts its own pooled ratio and regression.
+  std::array<std::optional<double>, law_estimator_count> observed_by_law;
   double ratio;  ///< R of the rule p = 1/R: the printed one, else the mean ratio of the streams
   std::vector<SizeChoice> sizes;  ///< none where the source prints no size
   PrintedRatio

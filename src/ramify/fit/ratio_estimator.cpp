@@ -13,6 +13,12 @@ std::string_view estimator_name(RatioEstimator estimator) {
   return names[index_of(estimator)];
 }
 
+std::string_view estimator_name(LawEstimator estimator) {
+  static constexpr std::array<std::string_view, law_estimator_count> names{"streams_pooled_ratio",
+                                                                           "streams_regression_of_means"};
+  return names[index_of(estimator)];
+}
+
 RatioValues ratio_values(const TreeMeasures& measures) {
   const std::size_t orders = measures.strahler + std::size_t{1};
   const OrderRatios streams = order_ratios(std::span(measures.streams).first(orders));

@@ -29,6 +29,21 @@ constexpr std::size_t index_of(RatioEstimator estimator) {
   return static_cast<std::size_t>(estimator);
 }
 
+/// Ratios of the expected counts of streams, E M_k, by their law (law_ratios.hpp).
+enum class LawEstimator : std::uint8_t {
+  streams_pooled_ratio,         ///< (E M_0 + ... + E M_(K-1)) / (E M_1 + ... + E M_K)
+  streams_regression_of_means,  ///< exp of minus the slope of log E M_k on k, orders weighted by P(S >= k)
+};
+
+inline constexpr std::size_t law_estimator_count = 2;
+
+constexpr std::size_t index_of(LawEstimator estimator) {
+  return static_cast<std::size_t>(estimator);
+}
+
+/// "streams_pooled_ratio"
+std::string_view estimator_name(LawEstimator estimator);
+
 /// "streams_mean_ratio"
 std::string_view estimator_name(RatioEstimator estimator);
 

@@ -16,6 +16,12 @@ namespace {
 
 constexpr RatioEstimator fitted = RatioEstimator::streams_mean_ratio;
 
+constexpr double usual = 1.959963984540054;  // of 95 % of a Gaussian
+
+std::string parameter_of(LawEstimator estimator) {
+  return fmt::format("p_{}", estimator_name(estimator));
+}
+
 std::string parameter_of(RatioEstimator estimator) {
   return estimator == fitted ? "p" : fmt::format("p_{}", estimator_name(estimator));
 }
@@ -227,6 +233,59 @@ void RatioFitter::fit_size(const RatioDatum& datum, const SizeChoice& size, std:
     blank.note = estimator == fitted ? size.note : std::string();
     set_rule(blank, response[estimator]);
     fit_estimator(surface, estimator, blank, rows);
+  }
+  fit_by_law(surface, datum, rule, rows);
+}
+
+void RatioFitter::fit_by_law(const LawRatios& laws, LawEstimator estimator, const FitRow& blank,
+                             std::vector<FitRow>& rows) {
+  const auto [low, high] = laws.range(estimator);
+  FitRow row = blank;
+  if (high - low < 1e-9) {
+    const bool met = std::abs(blank.observed - low) < 1e-6;
+    row.status = met ? FitStatus::undetermined : FitStatus::no_solution;
+    add_note(row.note, met ? "every p has this ratio at this n" : fmt::format("every p has {:.4g}", low));
+    rows.push_back(std::move(row));
+    return;
+  }
+  const auto roots = laws.roots(estimator, blank.observed);
+  row.solutions = roots.size();
+  for (const LawRoot& root : roots) {
+    FitRow& solution = rows.emplace_back(row);
+    solution.solution = static_cast<std::size_t>(&root - roots.data()) + 1;
+    solution.status = FitStatus::converged;
+    solution.estimate = root.p;
+    solution.standard_error = 0;
+    solution.lower = std::max(root.p - usual * root.deviation, 0.0);
+    solution.upper = std::min(root.p + usual * root.deviation, 0.5);
+  }
+  if (!roots.empty()) return;
+  row.status = FitStatus::no_solution;
+  add_note(row.note,
+           fmt::format("out of reach: the ratio of expected counts is {:.4g} to {:.4g} for p in [{}, 0.5]",
+                       low, high, ResponseSurface::lowest_p));
+  rows.push_back(std::move(row));
+}
+
+void RatioFitter::fit_by_law(const ResponseSurface& surface, const RatioDatum& datum, const FitRow& rule,
+                             std::vector<FitRow>& rows) {
+  const LawRatios& laws = laws_
+                              .try_emplace(surface.n(), *options_.model, surface.n(), surface.grid(),
+                                           options_.threads, *cancellation_)
+                              .first->second;
+  for (std::size_t e = 0; e < law_estimator_count; ++e) {
+    if (!datum.observed_by_law[e]) continue;
+    const auto estimator = static_cast<LawEstimator>(e);
+    FitRow blank = rule;
+    blank.parameter = parameter_of(estimator);
+    blank.estimator = estimator_name(estimator);
+    blank.observed = *datum.observed_by_law[e];
+    blank.estimate = FitRow::none;
+    blank.note = "by law, nothing is sampled; lower and upper by the delta method";
+    const double p = std::min(rule.estimate, 1 - rule.estimate), mean = laws.value(estimator, p);
+    const double reach = usual * laws.deviation(estimator, p);
+    set_rule(blank, {mean, 0, mean - reach, mean + reach});
+    fit_by_law(laws, estimator, blank, rows);
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include "ramify/core/cancellation.hpp"
 #include "ramify/fit/fit_row.hpp"
+#include "ramify/fit/law_ratios.hpp"
 #include "ramify/fit/ratio_curve.hpp"
 #include "ramify/fit/ratio_datum.hpp"
 #include "ramify/fit/root_search.hpp"
@@ -34,8 +35,9 @@ struct FitOptions {
 /// For each size of a datum: the thesis's rule p = 1/R (K96 3.1.5, 3.2.2; H2), which holds only as n grows
 /// without bound; then, for streams mean_ratio and the five other estimators, every p <= 1/2 at which trees
 /// of that n have R as their expected ratio (1 - p is the mirror image), with its Monte Carlo error and all p
-/// that one tree of ratio R does not reject at 5 %. Where a diameter ratio R_D is given, Murray's exponent
-/// log R_B / log R_D as well (H14, C35).
+/// that one tree of ratio R does not reject at 5 %; last, the p at which the expected counts of streams have
+/// R as pooled ratio and by regression, by law (LawRatios). Where a diameter ratio R_D is given, Murray's
+/// exponent log R_B / log R_D as well (H14, C35).
 ///
 /// Keeps the curves of sizes it has seen; a datum's rows depend on the datum, model, seed and nodes_per_point
 /// alone.
@@ -44,8 +46,8 @@ class RatioFitter {
   /// cancellation must outlive the fitter.
   RatioFitter(FitOptions options, const Cancellation& cancellation);
 
-  /// Throws Error for a size out of 2..largest_size, Interrupted when cancelled. About 2*10^8 nodes a size:
-  /// seconds on one core to n = 10^5, a minute or two at 10^6 and 10^7, ten at 10^9.
+  /// Throws Error for a size out of 2..largest_size, Interrupted when cancelled. Seconds on one core to n =
+  /// 10^5, half a minute beyond.
   std::vector<FitRow> fit(const RatioDatum& datum);
 
   static constexpr Size largest_size = 1'000'000'000;
@@ -58,9 +60,15 @@ class RatioFitter {
   void fit_estimator(const ResponseSurface& surface, RatioEstimator estimator, const FitRow& blank,
                      std::vector<FitRow>& rows);
 
+  void fit_by_law(const ResponseSurface& surface, const RatioDatum& datum, const FitRow& rule,
+                  std::vector<FitRow>& rows);
+  void fit_by_law(const LawRatios& laws, LawEstimator estimator, const FitRow& blank,
+                  std::vector<FitRow>& rows);
+
   FitOptions options_;
   const Cancellation* cancellation_;
   std::map<Size, RatioCurve> grids_;
+  std::map<Size, LawRatios> laws_;
 };
 
 /// The rows of one datum.

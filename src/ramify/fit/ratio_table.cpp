@@ -92,6 +92,7 @@ RatioDatum datum_at(const CsvData& table, std::size_t row) {
                              "a stream of order k+1 begins where two of order k meet, so a ratio is above 2");
   datum.ratio = datum.branching.value;
   datum.observed.fill(datum.ratio);
+  datum.observed_by_law.fill(datum.ratio);
   require_leaf_order(table, row);
   datum.sizes = sizes_at(table, row, datum.ratio);
   if (has(table, row, "diameter_ratio"))

@@ -52,7 +52,8 @@ class ResponseSurface {
   Size n() const { return n_; }
 
   /// One point for each request. A tree depends on (seed, model, p, n, replicate) alone. Throws Interrupted.
-  /// Cost: sum of trees * n nodes, about 3 ns each to largest_counted, above it a tenth of that and less.
+  /// Cost: sum of trees * n nodes, about 3 ns each to largest_counted; above it some ms a tree, and the
+  /// table of each p (MeanCountsTable).
   std::vector<ResponsePoint> sample(std::span<const ResponseRequest> requests) const;
 
   /// The grid on which the curve is first seen: p in [lowest_p, 1/2], ascending.

@@ -80,10 +80,8 @@ class Ratios {
     }
     const Model model = best->family->at(best->estimates());
     laws_.model = fitted_text(*best);
-    ModelTrees plan = options.trees;
-    if (plan.trees == 0) plan.trees = trees_at(tree_.streams.front() - 1);
-    laws_.trees = plan.trees;
-    model_.emplace(model, counts_, plan, cancellation);
+    laws_.trees = options.trees.trees;
+    model_.emplace(model, counts_, options.trees, cancellation);
     if (best->goodness.p_value < badly)
       misfit_ = fmt::format(
           "the model fits badly (misfit_p below {}): its errors are not those of such a tree", badly);
@@ -224,11 +222,6 @@ class Ratios {
 };
 
 }  // namespace
-
-std::uint64_t trees_at(Size n) {
-  constexpr std::uint64_t nodes = 1'000'000'000, fewest = 60, most = 400;
-  return std::clamp<std::uint64_t>(nodes / n, fewest, most);
-}
 
 std::vector<const Family*> one_parameter_families() {
   std::vector<const Family*> chosen;

@@ -46,14 +46,10 @@ struct HortonLaws {
 
 struct HortonOptions {
   std::vector<const Family*> families;  ///< of which the best by AIC says errors
-  ModelTrees trees{0, 1996, 1};         ///< as many as trees_at() says where 0
+  ModelTrees trees{400, 1996, 1};       ///< an error is then known to 4 %
   // NOLINTNEXTLINE(readability-redundant-member-init): -Wextra wants it where an aggregate leaves it out
   std::function<void(double done, double total)> progress = {};  ///< in trees of the data; may be empty
 };
-
-/// Trees that are grown if nothing is said: 400, fewer where they would have more than 10^9 nodes, 60 at
-/// least.
-std::uint64_t trees_at(Size n);
 
 /// The families of one parameter that a table of counts is fitted by if nothing is said.
 std::vector<const Family*> one_parameter_families();

@@ -299,4 +299,17 @@ double LargeOrderMoments::covariance(double leaves, OrderCount a, OrderCount b) 
   return leaves * sum;
 }
 
+double LargeOrderMoments::about_mean(double leaves, OrderCount count, std::size_t order) const {
+  if (count.order == 0) return 0;
+  const Stencil stencil = grid_->anywhere(leaves);
+  const Index a = number_of(count), s = index_of(order);
+  double sum = 0;
+  for (std::size_t r = 0; r < Stencil::width; ++r) {
+    const Place& there = places_[stencil.first + r];
+    const bool held = a < there.counts() && s >= there.first && s < there.first + there.by_order.cols();
+    if (held) sum += stencil.weight[r] * there.by_order(a, s - there.first);
+  }
+  return sum;
+}
+
 }  // namespace ramify

@@ -40,6 +40,9 @@ class LargeOrderMoments {
   /// 0 where one of the orders is 0 or out of reach.
   double covariance(double leaves, OrderCount a, OrderCount b) const;
 
+  /// E[X - E X; S >= order] of a count X; 0 where no tree, or every tree, has such an order.
+  double about_mean(double leaves, OrderCount count, std::size_t order) const;
+
  private:
   struct Place;
   class Row;

@@ -8,13 +8,18 @@
 
 namespace ramify {
 
-/// What a model says of the stream counts M_k of its trees of one size, leaf order 0.
-struct StreamCounts {
-  std::vector<double> means;        ///< E M_k, k = 0..K, K = floor(log2(n+1))
-  std::vector<double> covariances;  ///< Cov(M_j, M_k), row by row
-  std::vector<double> order_tail;   ///< P(S >= s), s = 0..K+1
+/// What a model expects of the stream counts M_k of its trees of one size, leaf order 0.
+struct StreamMeans {
+  std::vector<double> means;       ///< E M_k, k = 0..K, K = floor(log2(n+1))
+  std::vector<double> order_tail;  ///< P(S >= s), s = 0..K+1
 
   std::size_t orders() const { return means.size(); }
+};
+
+/// And how they scatter.
+struct StreamCounts : StreamMeans {
+  std::vector<double> covariances;  ///< Cov(M_j, M_k), row by row
+
   double covariance(std::size_t j, std::size_t k) const { return covariances[j * orders() + k]; }
 };
 
@@ -32,5 +37,8 @@ std::string no_stream_counts(const Model& model, Size n);
 ///
 /// Throws Error where no_stream_counts gives a reason, Interrupted.
 StreamCounts stream_counts(const Model& model, Size n, const Cancellation& cancellation = {});
+
+/// The same without covariances, at a quarter of the cost.
+StreamMeans stream_means(const Model& model, Size n, const Cancellation& cancellation = {});
 
 }  // namespace ramify

@@ -41,16 +41,27 @@ class GraftTable {
     for (const auto& outcome : law) results_.push_back({outcome.value, outcome.tally});
   }
 
-  /// Draws a whole tree of size 1 <= n < sizes(): gives its value, adds its tally to the fold. One word,
-  /// seldom two; O(1).
-  template <class Urbg, class F>
-  Value draw(Size n, Urbg& stream, F& fold) const {
+  /// What the fold makes of a whole tree.
+  struct Result {
+    Value value;
+    [[no_unique_address]] Tally tally;
+  };
+
+  /// Draws a whole tree of size 1 <= n < sizes(). One word, seldom two; O(1).
+  template <class Urbg>
+  const Result& drawn(Size n, Urbg& stream) const {
     const Place& place = places_[n];
     const std::size_t columns = place.frequent + (place.rare > 0 ? 1 : 0);
-    std::size_t drawn = draw_alias(std::span(cells_.data() + place.cells, columns), stream);
-    if (drawn == place.frequent)
-      drawn += draw_alias(std::span(cells_.data() + place.cells + columns, place.rare), stream);
-    const Result& result = results_[place.results + drawn];
+    std::size_t column = draw_alias(std::span(cells_.data() + place.cells, columns), stream);
+    if (column == place.frequent)
+      column += draw_alias(std::span(cells_.data() + place.cells + columns, place.rare), stream);
+    return results_[place.results + column];
+  }
+
+  /// The same: gives its value, adds its tally to the fold.
+  template <class Urbg, class F>
+  Value draw(Size n, Urbg& stream, F& fold) const {
+    const Result& result = drawn(n, stream);
     add_tally(fold, n, result.tally);
     return result.value;
   }
@@ -58,10 +69,6 @@ class GraftTable {
  private:
   struct Place {
     std::size_t cells, results, frequent, rare;
-  };
-  struct Result {
-    Value value;
-    [[no_unique_address]] Tally tally;
   };
 
   /// How many of the descending weights make up 99 in 100; all, where the others would save nothing.
@@ -83,9 +90,6 @@ class GraftTable {
   std::vector<AliasCell> cells_;
   std::vector<Result> results_;
 };
-
-template <class F>
-using GraftTableOf = GraftTable<typename F::Value, TallyOf<F>>;
 
 /// A graft policy (graft.hpp): trees of a size up to `largest` are drawn from a table.
 template <class Table>

@@ -8,7 +8,7 @@
 
 #include "ramify/core/contract.hpp"
 #include "ramify/law/law_cost.hpp"
-#include "ramify/sample/mean_counts.hpp"
+#include "ramify/sample/mean_counts_table.hpp"
 #include "ramify/statistic/registry.hpp"
 
 namespace ramify {
@@ -29,7 +29,7 @@ Size largest_table(const Model& model, FoldSet pass) {
   if (is_walk(pass) || is_streamed(pass)) return 0;
   if (pass == orders_and_paths) return 12;
   if (pass == orders_and_height) return 28;
-  if (pass == orders_and_mean_counts) return MeanCounts::largest_grafted;
+  if (pass == orders_and_mean_counts) return MeanCountsTable::largest(model);
   return std::bit_floor(largest_affordable(model, {recurrence_of(pass)}, table_cost));
 }
 
@@ -39,9 +39,10 @@ Size orders_and_height_graft(Size n) {
   return n < Size{1} << 22 ? 20 : 28;
 }
 
-/// At least some 400 subtrees are grafted, so that what their averages leave out is small (mean_counts.hpp).
+/// Some 1000 subtrees are grafted, 400 at least, so that what their averages leave out is small
+/// (mean_counts.hpp).
 Size mean_counts_graft(Size n) {
-  return std::min<Size>(n < Size{1} << 26 ? 2048 : MeanCounts::largest_grafted, std::bit_floor(n / 256));
+  return std::bit_floor(n / 512);
 }
 
 Size single_graft(Size n) {

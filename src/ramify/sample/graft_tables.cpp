@@ -1,7 +1,6 @@
 #include "ramify/sample/graft_tables.hpp"
 
 #include "ramify/law/build_law.hpp"
-#include "ramify/law/conditional_order_means.hpp"
 #include "ramify/law/statistic_law.hpp"
 
 namespace ramify {
@@ -31,27 +30,9 @@ GraftTableOf<F> tabulate(const Model& model, Size largest, const Cancellation& c
   return table;
 }
 
-MeanCounts::Tally mean_tally(const ConditionalOrderMeans& law, Size n, std::size_t order) {
-  std::vector<double> nodes, streams;
-  for (std::size_t k = 1; k <= order; ++k) {
-    nodes.push_back(law.mean(n, {OrderCount::Of::nodes, k}, order));
-    streams.push_back(law.mean(n, {OrderCount::Of::streams, k}, order));
-  }
-  return MeanCounts::Tally::of(nodes, streams);
-}
-
 template <std::same_as<MeanCounts> F>
 GraftTableOf<F> tabulate(const Model& model, Size largest, const Cancellation& cancellation) {
-  const auto means = build_law(model, largest, OrderMeans(largest), cancellation);
-  const auto given_order = build_law(model, largest, ConditionalOrderMeans(means, largest), cancellation);
-  GraftTableOf<F> table;
-  for (Size n = 0; n <= largest; ++n) {
-    OutcomesOf<F> possible;
-    for (const auto& order : outcomes<Strahler>(finite_law(means.strahler(), n)))
-      possible.push_back({order.value, mean_tally(given_order, n, order.value), order.probability});
-    table.append(std::move(possible));
-  }
-  return table;
+  return MeanCountsTable(model, largest, cancellation);
 }
 
 template <class F>

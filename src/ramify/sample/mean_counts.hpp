@@ -24,7 +24,7 @@ class MeanCounts {
   using Value = HortonStrahler::Value;
   using Counts = HortonStrahler::Counts;
 
-  static constexpr Size largest_grafted = 8192;
+  static constexpr Size largest_grafted = Size{1} << 20;
   static constexpr std::size_t grafted_orders = std::bit_width(largest_grafted + 1) - 1;
 
   /// Mean counts of nodes, then of streams, of the orders 1..grafted_orders.

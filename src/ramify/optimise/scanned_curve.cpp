@@ -1,4 +1,4 @@
-#include "ramify/design/scanned_curve.hpp"
+#include "ramify/optimise/scanned_curve.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,12 +10,10 @@
 
 #include "ramify/core/error.hpp"
 #include "ramify/core/parallel.hpp"
-#include "ramify/design/root_between.hpp"
+#include "ramify/optimise/root_between.hpp"
 
 namespace ramify {
 namespace {
-
-using Point = ScannedCurve::Point;
 
 /// What rounding leaves of two values that are one.
 constexpr double same = 1e-13;
@@ -33,16 +31,16 @@ ScannedCurve::ScannedCurve(Function function, const std::vector<double>& grid, c
   points_.resize(grid.size());
   parallel_for(grid.size(), effort.threads,
                [&](std::size_t i, unsigned) { points_[i] = {grid[i], value(grid[i])}; });
-  std::erase_if(points_, [](const Point& point) { return std::isnan(point.y); });
+  std::erase_if(points_, [](const ScannedCurve::Point& point) { return std::isnan(point.y); });
   add_extrema();
 }
 
-Point ScannedCurve::lowest() const {
-  return *std::ranges::min_element(points_, {}, &Point::y);
+ScannedCurve::Point ScannedCurve::lowest() const {
+  return *std::ranges::min_element(points_, {}, &ScannedCurve::Point::y);
 }
 
-Point ScannedCurve::highest() const {
-  return *std::ranges::max_element(points_, {}, &Point::y);
+ScannedCurve::Point ScannedCurve::highest() const {
+  return *std::ranges::max_element(points_, {}, &ScannedCurve::Point::y);
 }
 
 double ScannedCurve::value(double x) const {
@@ -51,7 +49,7 @@ double ScannedCurve::value(double x) const {
 }
 
 void ScannedCurve::add_extrema() {
-  std::vector<Point> extrema;
+  std::vector<ScannedCurve::Point> extrema;
   for (std::size_t i = 1; i + 1 < points_.size(); ++i) {
     const int before = side(points_[i].y, points_[i - 1].y), after = side(points_[i].y, points_[i + 1].y);
     if (before * after <= 0) continue;
@@ -64,7 +62,7 @@ void ScannedCurve::add_extrema() {
     extrema.push_back({x, -before * y});
   }
   points_.insert(points_.end(), extrema.begin(), extrema.end());
-  std::ranges::sort(points_, {}, &Point::x);
+  std::ranges::sort(points_, {}, &ScannedCurve::Point::x);
 }
 
 std::vector<double> ScannedCurve::solutions(double y) const {
