@@ -76,8 +76,9 @@ WordLaw galton_watson_law(unsigned n, double p0, double p1, double p2) {
 }
 
 TEST(Trie, HasTheLawOfItsDefinition) {
-  for (const unsigned n : {0u, 1u, 2u, 3u, 5u})
+  for (const unsigned n : {0u, 1u, 2u, 3u, test::sanitized ? 4u : 5u})
     EXPECT_TRUE(test::agrees(words_against("trie(0.3)", n, trie_law(n, 0.3), "")));
+  if (test::sanitized) return;
   EXPECT_TRUE(test::rejected(words_against("trie(0.3)", 5, trie_law(5, 0.32), ", p off")));
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "support/goodness.hpp"
+#include "support/sanitized.hpp"
 #include "support/word_law.hpp"
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -43,6 +44,8 @@ WordLaw small_trees(const Matrix& matrix, std::size_t order, std::size_t most) {
   return law;
 }
 
+constexpr std::size_t largest = test::sanitized ? 5 : 7;  // nodes of the trees that are told apart
+
 std::string with_file(const std::string& name, const std::string& text) {
   const auto path = testing::TempDir() + name;
   std::ofstream(path) << text;
@@ -56,24 +59,26 @@ TEST(Ramification, HasTheLawOfItsMatrix) {
   const Matrix matrix{{0.4, 0.6}, {0.2, 0.3, 0.5}}, wrong{{0.4, 0.6}, {0.3, 0.2, 0.5}};
   const auto model = fmt::format("ramification({})", with_file("first.csv", first_rows));
   for (const Size order : {Size{0}, Size{1}, Size{2}})
-    EXPECT_TRUE(test::agrees(words_against(model, order, small_trees(matrix, order, 7), "")));
-  EXPECT_TRUE(test::rejected(words_against(model, 2, small_trees(wrong, 2, 7), ": sides swapped")));
+    EXPECT_TRUE(test::agrees(words_against(model, order, small_trees(matrix, order, largest), "")));
+  EXPECT_TRUE(test::rejected(words_against(model, 2, small_trees(wrong, 2, largest), ": sides swapped")));
 }
 
 TEST(Tokunaga, HasTheLawOfItsNumbers) {
   // T_1 = 1, T_2 = 2: p(1,0) = 1/2, p(2,1) = 1/4, p(2,0) = 2/4.
   const Matrix matrix{{0.5, 0.5}, {0.5, 0.25, 0.25}}, wrong{{0.5, 0.5}, {0.25, 0.5, 0.25}};
   for (const Size order : {Size{1}, Size{2}})
-    EXPECT_TRUE(test::agrees(words_against("tokunaga(1,2)", order, small_trees(matrix, order, 7), "")));
-  EXPECT_TRUE(test::rejected(words_against("tokunaga(1,2)", 2, small_trees(wrong, 2, 7), ": T_1 for T_2")));
+    EXPECT_TRUE(test::agrees(words_against("tokunaga(1,2)", order, small_trees(matrix, order, largest), "")));
+  EXPECT_TRUE(
+      test::rejected(words_against("tokunaga(1,2)", 2, small_trees(wrong, 2, largest), ": T_1 for T_2")));
 }
 
 TEST(Hybrid, TakesEachRowFromTheMatrixNamed) {
   const Matrix ab{{0.4, 0.6}, {0.6, 0.1, 0.3}}, aa{{0.4, 0.6}, {0.2, 0.3, 0.5}};
   const auto model = fmt::format("hybrid({}, {}, AB)", with_file("first.csv", first_rows),
                                  with_file("second.csv", second_rows));
-  EXPECT_TRUE(test::agrees(words_against(model, 2, small_trees(ab, 2, 7), "")));
-  EXPECT_TRUE(test::rejected(words_against(model, 2, small_trees(aa, 2, 7), ": all rows of the first")));
+  EXPECT_TRUE(test::agrees(words_against(model, 2, small_trees(ab, 2, largest), "")));
+  EXPECT_TRUE(
+      test::rejected(words_against(model, 2, small_trees(aa, 2, largest), ": all rows of the first")));
 }
 
 // Of the transitions 3 -> 1, 2, 3, 4 of 0.1, 0.2, 0.3, 0.4 the first three are kept: 1/6, 2/6, 3/6.
@@ -84,9 +89,9 @@ TEST(Markov, KeepsTransitionsDownwards) {
   const Matrix matrix{{0.4, 0.6}, {1 / 6.0, 2 / 6.0, 3 / 6.0}};
   const Matrix wrong{{0.2, 0.8}, {0.1, 0.2, 0.7}};
   const auto model = fmt::format("markov({})", with_file("chain.csv", chain));
-  EXPECT_TRUE(test::agrees(words_against(model, 2, small_trees(matrix, 2, 7), "")));
+  EXPECT_TRUE(test::agrees(words_against(model, 2, small_trees(matrix, 2, largest), "")));
   EXPECT_TRUE(test::rejected(
-      words_against(model, 2, small_trees(wrong, 2, 7), ": what leads up is added to the diagonal")));
+      words_against(model, 2, small_trees(wrong, 2, largest), ": what leads up is added to the diagonal")));
 }
 
 }  // namespace
