@@ -14,12 +14,18 @@ namespace {
 void run_config(const RunConfig& config, const RunFlags& flags, const ModelLooks& looks,
                 const Cancellation& cancellation, Evidence& evidence) {
   const auto folder = flags.folder_of(config);
-  const RunOptions options{folder, read_threads(flags.threads), flags.kept_cells(),
-                           progress_line(folder.filename().string()), looks};
+  const RunOptions options{folder,
+                           read_threads(flags.threads),
+                           flags.kept_cells(),
+                           progress_line(folder.filename().string()),
+                           [](const std::string& line) { fmt::print(stderr, "ramify: {}\n", line); },
+                           looks};
   const RunOutcome outcome = run_and_judge(config, options, cancellation, evidence);
   clear_progress_line();
   if (outcome.finished) return;
-  fmt::print(stderr, "ramify: {} of the cells are complete and kept in {}; continue with --resume\n",
+  fmt::print(stderr,
+             "ramify: {} of the cells are complete; they, and blocks of others, are kept in {}; continue "
+             "with --resume\n",
              outcome.checked.cells.size(), outcome.folder.string());
   throw Interrupted();
 }

@@ -86,9 +86,10 @@ TEST(Run, StopsAtASignalAndSaysWhereTheCompleteCellsAre) {
                                           "models=[\"bst\"]\nn=[100, 3000000]\nreplicates=10000\n"
                                           "statistics=[\"strahler\"]\ngraft=false\n");
   const std::string out = (scratch / "o").string(), work = out + "/slow.incomplete";
-  const Ran stopped = shell(std::string(RAMIFY_PROGRAM) + " run " + config + " --out " + out +
-                            " & run=$!; until find " + work + "/cells -type f 2>/dev/null | grep -q .; do" +
-                            " kill -0 $run || break; sleep 0.01; done; kill -INT $run; wait $run");
+  const Ran stopped =
+      shell(std::string(RAMIFY_PROGRAM) + " run " + config + " --out " + out + " & run=$!; until [ -s " +
+            work + "/blocks.sqlite-wal ]; do kill -0 $run || break;" +
+            " sleep 0.01; done; sleep 1; kill -INT $run; wait $run");
   EXPECT_EQ(stopped.code, 130) << stopped.err;
   EXPECT_NE(stopped.err.find("kept in " + work + "; continue with --resume"), std::string::npos)
       << stopped.err;
@@ -123,14 +124,22 @@ TEST(Run, WithOneTreeACellDecidesNoClaim) {
 /// What a stopped run has kept is neither dropped nor taken over without a word.
 TEST(Run, OverKeptCellsHasToBeMeant) {
   const Scratch scratch;
-  const std::string config = scratch.file("small.toml", quick_config);
+  const std::string config = scratch.file("small.toml",
+                                          "models=[\"bst\"]\nn=[3000000]\nreplicates=10000\n"
+                                          "statistics=[\"strahler\"]\ngraft=false\n");
   const std::string run = "run " + config + " --out " + (scratch / "o").string();
-  std::filesystem::create_directories(scratch / "o/small.incomplete/cells");
-  std::ofstream(scratch / "o/small.incomplete/cells/0.json") << "{}";
+  const std::filesystem::path store = scratch / "o/small.incomplete/blocks.sqlite";
+  shell(std::string(RAMIFY_PROGRAM) + " " + run + " & run=$!; until [ -s " + store.string() +
+        "-wal ]; do kill -0 $run || break; sleep 0.01; done; sleep 1; kill -KILL $run; wait $run");
+  scratch.file("small.toml", quick_config);
   const Ran refused = ramify(run);
   EXPECT_EQ(refused.code, 2);
-  EXPECT_NE(refused.err.find("1 cell(s) of a stopped run are kept"), std::string::npos) << refused.err;
-  EXPECT_TRUE(std::filesystem::exists(scratch / "o/small.incomplete/cells/0.json"));
+  EXPECT_NE(refused.err.find("of a stopped run are kept in"), std::string::npos) << refused.err;
+  const Ran another = ramify(run + " --resume");
+  EXPECT_EQ(another.code, 2);
+  EXPECT_EQ(count_lines(another.err), 1u) << another.err;
+  EXPECT_NE(another.err.find("is of another run: it has"), std::string::npos) << another.err;
+  EXPECT_TRUE(std::filesystem::exists(store));
   EXPECT_EQ(ramify(run + " --resume --restart").code, 2);
   EXPECT_EQ(ramify(run + " --restart").code, 0);
   EXPECT_FALSE(std::filesystem::exists(scratch / "o/small.incomplete"));

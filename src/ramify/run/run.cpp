@@ -11,7 +11,7 @@
 #include "ramify/core/provenance.hpp"
 #include "ramify/io/atomic_file.hpp"
 #include "ramify/io/csv_writer.hpp"
-#include "ramify/run/cell_store.hpp"
+#include "ramify/run/block_store.hpp"
 #include "ramify/run/exact_check.hpp"
 #include "ramify/run/plan.hpp"
 #include "ramify/run/run_plots.hpp"
@@ -23,47 +23,57 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The cells of a run, some of them loaded from an earlier one.
-class CellBook {
- public:
-  CellBook(const Plan& plan, const fs::path& folder)
-      : plan_(plan), store_(folder, plan), wanted_(plan.cells.size(), true) {}
+using CellBook = std::map<std::size_t, CellResult>;  ///< by place in the plan
 
-  void take_over(const CellStore& earlier) {
-    for (std::size_t i = 0; i < plan_.cells.size(); ++i) {
-      if (auto cell = earlier.load(i)) keep(i, std::move(*cell));
-    }
-  }
+std::vector<FinishedCell> finished(const CellBook& book) {
+  std::vector<FinishedCell> cells;
+  for (const auto& [index, result] : book) cells.push_back({index, result});
+  return cells;
+}
 
-  void keep(std::size_t index, CellResult result) {
-    store_.save(index, result);
-    wanted_[index] = false;
-    done_[index] = std::move(result);
-  }
+/// The store of a work folder; where it has none, a copy of the one that a finished run left.
+BlockStore open_store(const fs::path& work, const RunOptions& options, const Plan& plan) {
+  const fs::path file = work / BlockStore::file_name, earlier = options.folder / BlockStore::file_name;
+  if (options.kept == KeptCells::take_over && !fs::exists(file) && fs::exists(earlier))
+    fs::copy_file(earlier, file);
+  return BlockStore(file, plan);
+}
 
-  const std::vector<bool>& wanted() const { return wanted_; }
-
-  std::vector<FinishedCell> finished() const {
-    std::vector<FinishedCell> cells;
-    for (const auto& [index, result] : done_) cells.push_back({index, result});
-    return cells;
-  }
-
- private:
-  const Plan& plan_;
-  CellStore store_;
-  std::vector<bool> wanted_;
-  std::map<std::size_t, CellResult> done_;
-};
+/// What lay in the work folder already.
+void say_kept(const BlockStore& store, const RunOptions& options) {
+  if (!options.say) return;
+  if (store.set_aside())
+    options.say(
+        fmt::format("the store of the stopped run is damaged, or none of ramify's: it is kept as '{}', and "
+                    "the run begins anew",
+                    store.set_aside()->string()));
+  if (const KeptWork kept = store.kept(); !kept.none())
+    options.say(fmt::format("{} are kept from an earlier run", to_string(kept)));
+}
 
 /// All cells beside their exact laws; nothing where the user stopped it meanwhile.
 std::optional<CheckedRun> checked_cells(const Plan& plan, const CellBook& book, unsigned threads,
                                         const Cancellation& cancellation) {
   try {
-    return check_against_exact_laws(plan, book.finished(), threads, cancellation);
+    return check_against_exact_laws(plan, finished(book), threads, cancellation);
   } catch (const Interrupted&) {
     return std::nullopt;
   }
+}
+
+/// Grows what the store has not. Nothing where it was stopped.
+std::optional<CheckedRun> grow(const Plan& plan, const fs::path& work, const RunOptions& options,
+                               const Cancellation& cancellation, CellBook& book) {
+  BlockStore store = open_store(work, options, plan);
+  say_kept(store, options);
+  RunObserver observer;
+  observer.cell_done = [&](std::size_t index, const CellResult& result) { book[index] = result; };
+  if (options.progress)
+    observer.progress = [&, total = estimate_work(plan, 1).nodes](double done) {
+      options.progress(done, total);
+    };
+  if (!run_cells(plan, store, options.threads, cancellation, observer)) return std::nullopt;
+  return checked_cells(plan, book, options.threads, cancellation);
 }
 
 nlohmann::ordered_json provenance_of(const RunConfig& config, const RunOptions& options,
@@ -113,25 +123,12 @@ RunOutcome run_experiment(const RunConfig& config, const RunOptions& options,
   const Plan plan = make_plan(config);
   const WorkFolder work_folder(options.folder, options.kept);
   const fs::path& work = work_folder.path();
-  require_writable_folder(work / "cells");
   require_writable_folder(work / "plots");
-  CellBook book(plan, work / "cells");
-  if (options.kept == KeptCells::take_over) {
-    book.take_over(CellStore(options.folder / "cells", plan));
-    book.take_over(CellStore(work / "cells", plan));
-  }
-  RunObserver observer;
-  observer.cell_done = [&](std::size_t index, const CellResult& result) { book.keep(index, result); };
-  if (options.progress)
-    observer.progress = [&, total = estimate_work(plan, 1).nodes](double done) {
-      options.progress(done, total);
-    };
-  std::vector<bool> wanted = book.wanted();
-  const bool grown = run_cells(plan, wanted, options.threads, cancellation, observer);
-  auto checked = grown ? checked_cells(plan, book, options.threads, cancellation) : std::nullopt;
+  CellBook book;
+  auto checked = grow(plan, work, options, cancellation, book);
 
   // A stopped run has two seconds to put its things away: no laws, no plots.
-  RunOutcome outcome{checked ? std::move(*checked) : CheckedRun{unchecked(book.finished())},
+  RunOutcome outcome{checked ? std::move(*checked) : CheckedRun{unchecked(finished(book))},
                      checked.has_value(), work};
   write_tables(work, outcome.checked.cells);
   if (outcome.finished) {

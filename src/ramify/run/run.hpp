@@ -17,6 +17,7 @@ struct RunOptions {
   unsigned threads = 1;
   KeptCells kept = KeptCells::refuse;  ///< of a stopped run; take_over: those of a finished run too
   std::function<void(double done, double total)> progress;  ///< nodes; may be empty
+  std::function<void(const std::string&)> say = {};  ///< a line: what is kept of an earlier run; may be empty
   ModelLooks looks = {};  ///< of the models of all configs that the command runs; may be empty
 };
 
@@ -29,9 +30,10 @@ struct RunOutcome {
 /// Runs a config: grows the trees of all its cells, checks the means against exact laws, writes the tables,
 /// plots and provenance.
 ///
-/// Throws Error before any work where the folder cannot be written or is not to be replaced (WorkFolder). A
-/// stopped run keeps its complete cells in
-/// "<folder>.incomplete", with tables of them and a provenance that says so.
+/// Throws Error before any work where the folder cannot be written or is not to be replaced (WorkFolder), or
+/// where what is to be taken over is of another plan (BlockStore). A run that is stopped, or killed, keeps
+/// its blocks in "<folder>.incomplete"; one that is stopped writes tables of its complete cells there too,
+/// with a provenance that says so.
 RunOutcome run_experiment(const RunConfig& config, const RunOptions& options,
                           const Cancellation& cancellation);
 

@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "ramify/core/cancellation.hpp"
+#include "ramify/run/block_store.hpp"
 #include "ramify/run/cell_result.hpp"
 #include "ramify/run/plan.hpp"
 
@@ -16,14 +17,14 @@ struct RunObserver {
   std::function<void(double nodes)> progress;
 };
 
-/// Grows the trees of the cells for which wanted[index] is true, in blocks of replicates handed to the
-/// threads by one atomic counter.
+/// Grows the trees of all cells that the store has not yet, in blocks of replicates handed to the threads by
+/// one atomic counter; every block is kept when it is grown.
 ///
 /// A cell's result depends on (seed, model, n, replicates, statistics, graft) alone: blocks are a fixed
 /// function of model, n and method, every replicate has its own stream, and blocks are merged in order.
-/// Returns false where it was cancelled; cells that were complete have been reported. @param threads  >= 1;
-/// that many run, however few the cores
-bool run_cells(const Plan& plan, const std::vector<bool>& wanted, unsigned threads,
-               const Cancellation& cancellation, const RunObserver& observer);
+/// Every complete cell is reported, those that were kept at once. Returns false where it was cancelled.
+/// Throws Error where the store cannot be written. @param threads  >= 1; that many run, however few the cores
+bool run_cells(const Plan& plan, BlockStore& store, unsigned threads, const Cancellation& cancellation,
+               const RunObserver& observer);
 
 }  // namespace ramify

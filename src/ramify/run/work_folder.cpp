@@ -11,6 +11,7 @@
 
 #include "ramify/core/error.hpp"
 #include "ramify/io/atomic_file.hpp"
+#include "ramify/run/block_store.hpp"
 
 namespace ramify {
 namespace {
@@ -50,10 +51,11 @@ void require_run_folder(const fs::path& folder, KeptCells kept) {
   if (entries(folder) > 0 && !fs::exists(folder / "provenance.json", ignored))
     throw Error(fmt::format("'{}' is not the folder of a run", folder.string()),
                 "it has no provenance.json, and a run would replace it", "choose another --out");
-  const std::ptrdiff_t cells = entries(work_of(folder) / "cells");
-  if (cells > 0 && kept == KeptCells::refuse)
-    throw Error(fmt::format("{} cell(s) of a stopped run are kept in '{}'", cells, work_of(folder).string()),
-                "a new run would drop them", "add --resume to go on with them, or --restart to begin anew");
+  const KeptWork stopped = BlockStore::kept_in(work_of(folder) / BlockStore::file_name);
+  if (!stopped.none() && kept == KeptCells::refuse)
+    throw Error(
+        fmt::format("{} of a stopped run are kept in '{}'", to_string(stopped), work_of(folder).string()),
+        "a new run would drop them", "add --resume to go on with them, or --restart to begin anew");
 }
 
 WorkFolder::WorkFolder(fs::path folder, KeptCells kept)

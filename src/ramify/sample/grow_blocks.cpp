@@ -82,7 +82,8 @@ void grow_blocks(const std::vector<GrowingJob>& jobs, unsigned threads, const Ca
   std::vector<Prototype*> prototype_of_job(jobs.size());
   std::vector<Block> blocks;
   for (std::size_t j = 0; j < jobs.size(); ++j) {
-    const auto own = blocks_of(jobs[j], j);
+    auto own = blocks_of(jobs[j], j);
+    std::erase_if(own, [&](const Block& block) { return jobs[j].grown.contains(block.index); });
     if (own.empty()) continue;
     prototype_of_job[j] = &prototype_of(jobs[j], prototypes, cancellation);
     prototype_of_job[j]->expect(own.size(), jobs[j].n);

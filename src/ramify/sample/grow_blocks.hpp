@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -20,6 +21,8 @@ struct GrowingJob {
   std::uint64_t first, last;
   /// Of one block at most. Fewer where a single job of small trees must keep all threads busy.
   std::uint64_t most_trees = 1024;
+  /// Indices of blocks that are there already.
+  std::set<std::size_t> grown = {};  // NOLINT(readability-redundant-member-init): -Wextra wants it
 
   StreamKey key() const { return {seed, model.stream_cell(n)}; }
 };
@@ -31,6 +34,8 @@ struct Block {
   std::size_t index;  ///< within the job, in the order of the replicates
 
   std::uint64_t trees() const { return last - first; }
+
+  friend bool operator==(const Block&, const Block&) = default;
 };
 
 /// The blocks of a job: about a million grown nodes each, so that the last of them do not leave threads idle.
@@ -67,7 +72,8 @@ class BlockTrees {
 /// What is done with a block; several threads call it at once, each with a block of its own.
 using BlockWork = std::function<void(const Block& block, const BlockTrees& trees)>;
 
-/// The loop that grows trees: hands the blocks of all jobs, in their order, to the threads.
+/// The loop that grows trees: hands the blocks of all jobs that are not there yet, in their order, to the
+/// threads.
 ///
 /// Every replicate has a stream of its own, so a tree depends on (seed, model, n, replicate, method) alone,
 /// whatever the threads and the blocks. What a model's trees are grafted from is computed when its first
