@@ -120,7 +120,9 @@ void expect_fit(const std::vector<std::string>& cells) {
   const std::size_t row = row_of(fits, cells[0], cells[2]);
   const std::string where = cells[0] + " " + cells[2];
   EXPECT_EQ(cells[1], fits.at(row, "n")) << where;
-  if (has_misfit) EXPECT_TRUE(is_rounded(cells[6], fits.real(row, "misfit_p"))) << where;
+  if (has_misfit) {
+    EXPECT_TRUE(is_rounded(cells[6], fits.real(row, "misfit_p"))) << where;
+  }
   if (cells[3].empty()) return;
   const auto equals = cells[3].find(" = ");
   EXPECT_EQ(cells[3].substr(0, equals), fits.at(row, "parameter")) << where;

@@ -38,7 +38,9 @@ TEST(Valley, FollowsTheBestPairsFromEndToEndOfTheRegion) {
     EXPECT_NEAR(a * b / product, 1, 1e-5);
     EXPECT_GE(a + b, before);
     before = a + b;
-    if (stop.place == ValleyPoint::Place::estimate) EXPECT_NEAR(std::log(a + b), middle, 1e-6);
+    if (stop.place == ValleyPoint::Place::estimate) {
+      EXPECT_NEAR(std::log(a + b), middle, 1e-6);
+    }
   }
   const auto sum_of = [](const ValleyStop& stop) {
     return std::log(std::exp(stop.searched[0]) + std::exp(stop.searched[1]));
