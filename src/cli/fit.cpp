@@ -11,6 +11,7 @@
 #include "ramify/fit/model_fit_table.hpp"
 #include "ramify/fit/model_fits.hpp"
 #include "ramify/fit/ratio_fitter.hpp"
+#include "ramify/fit/valley_table.hpp"
 #include "ramify/format/binary_trees.hpp"
 #include "ramify/format/order_counts.hpp"
 #include "ramify/format/read_trees.hpp"
@@ -23,8 +24,8 @@ namespace {
 struct FitArguments {
   std::vector<std::string> files;
   std::string model, observable = "auto", n, seed = "1996", bootstrap = "0", threads, format = "auto", root,
-                     resolve;
-  bool pooled = false;
+                     resolve, curve, plot;
+  bool pooled = false, robust = false;
   Output output;
 };
 
@@ -83,6 +84,18 @@ bool is_for_reading(const FitArguments& options) {
   return options.format == "table" || (options.format == "auto" && options.output.is_for_reading());
 }
 
+/// The options that are of counts alone.
+void require_counts_for(const FitArguments& options, Observable observable) {
+  if (observable == Observable::orders) return;
+  const auto refuse = [observable](const std::string& option, const char* why) {
+    throw Error(fmt::format("{} of a {}", option, observable_names[static_cast<std::size_t>(observable)]),
+                why, "leave it out, or fit counts of streams with --observable orders");
+  };
+  if (options.robust) refuse("--robust", "it is for an odd order among counts");
+  if (!options.curve.empty()) refuse("--curve", "it is of shapes that counts cannot tell apart");
+  if (!options.plot.empty()) refuse("--plot", "it draws shapes that counts cannot tell apart");
+}
+
 ExitCode fit_ratios(const FitArguments& options, const std::vector<std::string>& texts,
                     const Cancellation& cancellation) {
   if (options.bootstrap != "0")
@@ -113,6 +126,13 @@ ModelFitOptions model_options(const FitArguments& options) {
   fit.bootstrap_trees = read_bootstrap(options.bootstrap);
   fit.seed = read_count("--seed", options.seed);
   fit.threads = read_threads(options.threads);
+  fit.density = options.robust ? CountDensity::huber : CountDensity::gaussian;
+  fit.valleys = !options.curve.empty() || !options.plot.empty();
+  if (fit.valleys && std::ranges::none_of(fit.families, [](const Family* family) {
+        return family->mirror == Mirror::exchanged;
+      }))
+    throw Error("--curve, --plot", "none of these families has two shapes a and b",
+                "add beta or beta_multinomial to --model");
   fit.progress = progress_line("fit");
   return fit;
 }
@@ -144,10 +164,13 @@ std::vector<FittedDatum> fit_file(const FitArguments& options, Observable observ
 ExitCode fit_models(const FitArguments& options, Observable observable, const std::vector<std::string>& texts,
                     const Cancellation& cancellation) {
   const ModelFitOptions how = model_options(options);
+  const auto picture = picture_file(options.plot);
   std::vector<FittedDatum> data;
   for (std::size_t i = 0; i < texts.size(); ++i)
     for (auto& datum : fit_file(options, observable, texts[i], options.files[i], how, cancellation))
       data.push_back(std::move(datum));
+  if (picture) picture->draw(valley_plot(data));
+  if (!options.curve.empty()) emit(write_csv(valley_table(data)), {options.curve});
   emit(is_for_reading(options) ? model_fit_text(data) : write_csv(model_fit_table(data)), options.output);
   return any_not_converged(data) ? ExitCode::no_convergence : ExitCode::done;
 }
@@ -157,6 +180,7 @@ ExitCode fit(const FitArguments& options, const Cancellation& cancellation) {
   std::vector<std::string> texts;
   for (const auto& file : options.files) texts.push_back(read_tree_file(file));
   const Observable observable = observable_of(options, texts);
+  require_counts_for(options, observable);
   return observable == Observable::ratio ? fit_ratios(options, texts, cancellation)
                                          : fit_models(options, observable, texts, cancellation);
 }
@@ -178,8 +202,14 @@ void add_fit(Program& program) {
       "what is fitted: tree (its splits), orders (its counts of streams), ratio; auto: what the file holds",
       Need::defaulted);
   verb.option("--bootstrap", options->bootstrap,
-              "trees of every fitted model that are fitted again: intervals, bias, goodness",
+              "trees of every fitted model that are fitted again: intervals, bias, goodness, and whether a "
+              "simpler family suffices",
               Need::defaulted);
+  verb.flag("--robust", options->robust,
+            "Huber's loss: one odd order of a table of counts does not decide alone");
+  verb.option("--curve", options->curve,
+              "write the pairs (a,b) that fit counts nearly as well into this file, as CSV");
+  verb.option("--plot", options->plot, "draw these pairs into this file, FILE.svg or FILE.png");
   verb.flag("--pooled", options->pooled, "one fit of all trees of a file, and not one of each");
   verb.option("--root", options->root, "of a table with trees: the id of the root, all, or neurites");
   verb.option("--resolve", options->resolve,

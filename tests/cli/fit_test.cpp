@@ -49,7 +49,7 @@ TEST(FitOfCounts, AFamilyWithMoreParametersThanOrdersIsListedWithTheReason) {
   const std::string table = scratch.file("few.csv", "order,count\n1,40\n2,11\n3,2\n4,1\n");
   const Ran ran = ramify("fit --model beta,bst --format csv " + table);
   ASSERT_EQ(ran.code, 0) << ran.err;
-  EXPECT_NE(ran.out.find("few,beta,,,,,,orders,39,2,,,,,,,,,,,not_fitted,1 order above the tips"),
+  EXPECT_NE(ran.out.find("few,beta,,,,,,orders,39,2,,,,,,,,,,,,not_fitted,1 order above the tips"),
             std::string::npos)
       << ran.out;
 }
@@ -60,6 +60,43 @@ TEST(FitOfCounts, TreesThatAreTooSmallAreRefused) {
   const Ran ran = ramify("fit --model bst " + table);
   EXPECT_EQ(ran.code, 2);
   EXPECT_NE(ran.err.find("takes 21 tips and 3 orders at least"), std::string::npos) << ran.err;
+}
+
+TEST(FitOfCounts, ABootstrapSaysWhetherASimplerFamilySuffices) {
+  const Ran ran =
+      ramify("fit data/new_hope_creek.csv --model patricia,ford,bst,catalan --bootstrap 60 --format csv");
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  EXPECT_NE(ran.out.find("misfit_p,likelihood_ratio,bootstrap_trees"), std::string::npos);
+  std::vector<std::string> tests;
+  for (const std::string& line : lines_of(ran.out))
+    if (line.find("_suffices,") != std::string::npos) tests.push_back(line);
+  ASSERT_EQ(tests.size(), 2u) << ran.out;
+  EXPECT_TRUE(tests[0].starts_with("new_hope_creek,ford,bst_suffices,0.0163934,")) << tests[0];
+  EXPECT_TRUE(tests[1].starts_with("new_hope_creek,ford,catalan_suffices,0.")) << tests[1];
+  const Ran without = ramify("fit data/new_hope_creek.csv --model ford,bst,catalan --format csv");
+  EXPECT_EQ(without.out.find("suffices"), std::string::npos);
+}
+
+TEST(FitOfCounts, TheCurveOfEquivalentShapesIsATableAndAPicture) {
+  const Scratch scratch;
+  const std::string curve = (scratch / "curve.csv").string(), plot = (scratch / "curve.svg").string();
+  const Ran ran = ramify("fit data/new_hope_creek.csv --model beta_multinomial,bst --format csv --curve " +
+                         curve + " --plot " + plot);
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  EXPECT_NE(ran.out.find("--curve lists the pairs that fit nearly as well"), std::string::npos) << ran.out;
+  const auto lines = lines_of(read_file(curve));
+  ASSERT_EQ(lines.size(), 27u);
+  EXPECT_EQ(lines[0], "data,model,a,b,horton_ratio,log_likelihood,below_best,place");
+  EXPECT_TRUE(lines[1].starts_with("new_hope_creek,beta_multinomial,0.")) << lines[1];
+  EXPECT_NE(read_file(plot).find("<svg"), std::string::npos);
+}
+
+TEST(FitOfCounts, HubersLossNamesTheOddOrder) {
+  const Ran ran = ramify("fit data/walnut.csv --model aldous --robust --format csv");
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  EXPECT_NE(ran.out.find("Huber's loss beyond 1.345 standard deviations: order 3 (-1.8) counts less"),
+            std::string::npos)
+      << ran.out;
 }
 
 }  // namespace

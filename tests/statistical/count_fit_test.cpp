@@ -70,6 +70,59 @@ TEST(CountLikelihood, IsTheGaussianDensityTimesTheLawOfTheOrder) {
   }
 }
 
+/// Within Huber's scale it is the Gaussian likelihood but for what the density integrates to.
+TEST(CountLikelihood, OfHubersLossIsThatOfItsDensity) {
+  const auto rho = [](double z) {
+    const double far = std::abs(z);
+    return far <= huber_scale ? z * z : 2 * huber_scale * far - huber_scale * huber_scale;
+  };
+  double integral = 0;
+  for (double z = -60; z < 60; z += 1e-3) integral += 1e-3 * std::exp(-rho(z) / 2);
+  const Family& family = find_family("patricia");
+  const CountSurface surface(family, walnut.n(), 2, uninterrupted);
+  for (const double p : {0.2, 0.23, 0.3}) {
+    const Point at = family.searched(std::vector{p});
+    const CountFitness plain = count_fitness(surface, walnut, at);
+    double expected = -plain.log_likelihood;
+    for (const double z : plain.residuals)
+      expected += (rho(z) - z * z) / 2 + std::log(integral) - std::log(2 * std::numbers::pi) / 2;
+    EXPECT_NEAR(-count_fitness(surface, walnut, at, CountDensity::huber).log_likelihood, expected, 1e-5) << p;
+  }
+}
+
+/// Mean counts of a family, to whole streams.
+ObservedCounts mean_counts(const Model& model, Size n, std::size_t orders) {
+  const StreamCounts law = stream_counts(model, n);
+  ObservedCounts counts{{n + 1}};
+  for (std::size_t k = 1; k < orders; ++k)
+    counts.streams.push_back(static_cast<std::uint64_t>(std::llround(law.means[k])));
+  counts.streams.push_back(1);
+  return counts;
+}
+
+/// One odd order moves a fit by Huber's loss far less than the Gaussian one, and without one they agree.
+TEST(CountFit, OneOddOrderDoesNotDecideAloneWhereTheLossIsRobust) {
+  const Family& family = find_family("patricia");
+  const ObservedCounts clean = mean_counts(family.at(std::vector{0.23}), 2000, 6);
+  ObservedCounts odd = clean;
+  odd.streams[3] = odd.streams[3] * 3 / 2;
+  CountFitter gaussian(2, uninterrupted), robust(2, uninterrupted, CountDensity::huber);
+  const FittedParameter known = gaussian.fit(family, clean).parameters[0];
+  const auto off = [&](CountFitter& fitter, const ObservedCounts& counts) {
+    const FamilyFit fit = fitter.fit(family, counts);
+    EXPECT_TRUE(fit.converged);
+    return std::abs(fit.parameters[0].estimate - known.estimate) / known.standard_error;
+  };
+  EXPECT_NEAR(known.estimate, 0.23, 2 * known.standard_error);
+  EXPECT_LT(off(robust, clean), 0.01);
+  EXPECT_GT(off(gaussian, odd), 2);
+  EXPECT_LT(off(robust, odd), off(gaussian, odd) / 2);
+  FamilyFit fit = robust.fit(family, odd);
+  robust.settle(fit, odd);
+  EXPECT_NE(fit.note.find("Huber's loss beyond 1.345 standard deviations: order 3 (+"), std::string::npos)
+      << fit.note;
+}
+
 /// Along the interval, and across the seams of panels: the estimate of ford is beside one.
 TEST(CountLikelihood, IsReadBetweenLawsWhereTheIntervalIs) {
   const ObservedCounts apple{{279, 52, 7, 1}};
@@ -93,17 +146,19 @@ TEST(CountLikelihood, HasTheSlopesOfItsDifferences) {
     const Family& family = find_family(name);
     const ObservedCounts apple{{280, 52, 7, 1}};
     const CountSurface surface(family, apple.n(), 2, uninterrupted);
-    const Objective objective = count_objective(surface, apple);
-    for (const Point& at : family.starts()) {
-      Point gradient(at.size());
-      double value = 0;
-      ASSERT_TRUE(objective.evaluate(at, value, gradient.data())) << name;
-      for (std::size_t i = 0; i < at.size(); ++i) {
-        Point up = at, down = at;
-        up[i] += 1e-5;
-        down[i] -= 1e-5;
-        const double slope = (objective.value(up) - objective.value(down)) / 2e-5;
-        EXPECT_NEAR(gradient[i], slope, 1e-6 * std::max(1.0, std::abs(value))) << name << ' ' << i;
+    for (const CountDensity density : {CountDensity::gaussian, CountDensity::huber}) {
+      const Objective objective = count_objective(surface, apple, density);
+      for (const Point& at : family.starts()) {
+        Point gradient(at.size());
+        double value = 0;
+        ASSERT_TRUE(objective.evaluate(at, value, gradient.data())) << name;
+        for (std::size_t i = 0; i < at.size(); ++i) {
+          Point up = at, down = at;
+          up[i] += 1e-5;
+          down[i] -= 1e-5;
+          const double slope = (objective.value(up) - objective.value(down)) / 2e-5;
+          EXPECT_NEAR(gradient[i], slope, 1e-6 * std::max(1.0, std::abs(value))) << name << ' ' << i;
+        }
       }
     }
   }
@@ -189,6 +244,30 @@ TEST(CountFit, TheRatioOfTwoShapesIsKnownBetterThanTheShapes) {
             fit.parameters[1].standard_error / fit.parameters[1].estimate);
   EXPECT_GT(ratio->lower, 2);
   EXPECT_LT(ratio->upper, 5);
+}
+
+/// Along the valley the likelihood is that of a law at every stop, R(a,b) changes less than the shapes do,
+/// and the ends of the intervals lie within it.
+TEST(CountFit, TheValleyListsThePairsThatFitNearlyAsWell) {
+  const Family& family = find_family("beta_multinomial");
+  const ObservedCounts apple{{279, 52, 7, 1}};
+  CountFitter fitter(2, uninterrupted);
+  FamilyFit fit = fitter.fit(family, apple);
+  fitter.trace_valley(fit, apple);
+  ASSERT_EQ(fit.valley.size(), 26u);
+  const auto best = std::ranges::max_element(fit.valley, {}, &ValleyPoint::log_likelihood);
+  EXPECT_NEAR(std::log(best->a / fit.parameters[0].estimate), 0, 0.02);
+  for (const ValleyPoint& point : fit.valley) {
+    const ValleyPoint known = point;
+    EXPECT_NEAR(point.log_likelihood,
+                -literal_minus_log_likelihood(family.at(std::vector{known.a, known.b}), apple), 1e-8);
+    EXPECT_LT(best->log_likelihood - point.log_likelihood, 3.02);
+  }
+  const ValleyPoint &low = fit.valley.front(), &high = fit.valley.back();
+  EXPECT_NEAR(best->log_likelihood - low.log_likelihood, 3, 0.02);
+  EXPECT_LT(std::log(high.horton_ratio / low.horton_ratio), std::log(high.b / low.b));
+  EXPECT_LT(low.a, fit.parameters[0].lower);
+  EXPECT_GT(high.b, fit.parameters[1].upper);
 }
 
 }  // namespace

@@ -13,21 +13,21 @@
 namespace ramify {
 namespace {
 
-constexpr std::array levels{0.01, 0.05, 0.1};
+constexpr std::array tail_levels{0.01, 0.05, 0.1};
 
 /// Shares of trees whose p-value is at most each level.
-std::array<double, levels.size()> rejected(const char* model, Size n, const char* family,
+std::array<double, tail_levels.size()> rejected(const char* model, Size n, const char* family,
                                            std::uint64_t trees) {
   const Cancellation never;
   const Family* const of = &find_family(family);
-  std::array<double, levels.size()> shares{};
+  std::array<double, tail_levels.size()> shares{};
   const TreeBatch batch{Model::parse(model), n, test::seed_of("tree fit goodness"), 1, false};
   for (const RecordedTree& tree : batch.grown(0, trees, never)) {
     TreeFitOptions options;
     options.bootstrap = {99, test::seed_of(tree.name)};
     const double p = fit_trees({&tree, 1}, {&of, 1}, options, never)[0].families[0].goodness.p_value;
-    for (std::size_t k = 0; k < levels.size(); ++k)
-      shares[k] += (p <= levels[k]) / static_cast<double>(trees);
+    for (std::size_t k = 0; k < tail_levels.size(); ++k)
+      shares[k] += (p <= tail_levels[k]) / static_cast<double>(trees);
   }
   return shares;
 }
@@ -37,9 +37,9 @@ TEST(TreeFit, RightFamiliesAreRejectedAsOftenAsTheLevelSays) {
   for (const auto& [model, family] :
        {std::pair{"bst", "bst"}, {"aldous(-1)", "aldous"}, {"dst(0.3)", "dst"}}) {
     const auto shares = rejected(model, 60, family, trees);
-    for (std::size_t k = 0; k < levels.size(); ++k) {
-      const double deviation = std::sqrt(levels[k] * (1 - levels[k]) / static_cast<double>(trees));
-      EXPECT_NEAR(shares[k], levels[k], 4 * deviation) << model << ' ' << levels[k];
+    for (std::size_t k = 0; k < tail_levels.size(); ++k) {
+      const double deviation = std::sqrt(tail_levels[k] * (1 - tail_levels[k]) / static_cast<double>(trees));
+      EXPECT_NEAR(shares[k], tail_levels[k], 4 * deviation) << model << ' ' << tail_levels[k];
     }
   }
 }

@@ -44,13 +44,14 @@ TEST(Data, EveryTableIsReadAndSaysWhereItComesFrom) {
 TEST(Data, RegressionsAreThosePublished) {
   const struct {
     const char* file;
-    double regression;
-  } published[] = {{"coronary_rca.csv", 3.50},      {"coronary_lad.csv", 3.51},    {"coronary_lcx.csv", 3.57},
-                   {"pulmonary_artery.csv", 3.354}, {"pulmonary_vein.csv", 3.333}, {"airway_ct.csv", 2.45}};
-  for (const auto& [file, regression] : published) {
+    double regression, last_digit;
+  } published[] = {{"coronary_rca.csv", 3.50, 0.01},     {"coronary_lad.csv", 3.51, 0.01},
+                   {"coronary_lcx.csv", 3.57, 0.01},     {"pulmonary_artery.csv", 3.354, 0.001},
+                   {"pulmonary_vein.csv", 3.333, 0.001}, {"airway_ct.csv", 2.454, 0.001}};
+  for (const auto& [file, regression, last_digit] : published) {
     const std::string text = read_text_file(folder / file);
     const OrderCounts counts = read_order_counts(SourceText(text, file)).front();
-    EXPECT_NEAR(order_ratios(counts.counts).regression, regression, 0.006) << file;
+    EXPECT_NEAR(order_ratios(counts.counts).regression, regression, 0.51 * last_digit) << file;
   }
 }
 

@@ -140,7 +140,8 @@ Family beta_family() {
           .parameters = beta_shapes(),
           .mirror = Mirror::exchanged,
           .alike = shapes_exchanged,
-          .of_splits = beta_likelihood};
+          .of_splits = beta_likelihood,
+          .nested = uniform_shapes()};
 }
 
 }  // namespace ramify

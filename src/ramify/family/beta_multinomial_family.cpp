@@ -59,12 +59,15 @@ Family beta_multinomial_family() {
           .parameters = beta_shapes(),
           .mirror = Mirror::exchanged,
           .alike = shapes_exchanged,
-          .of_splits = [](const ObservedSplits& splits) {
-            return jet_likelihood<2>(beta_multinomial_family(),
-                                     [likelihood = BetaMultinomialLikelihood(splits)](const auto& values) {
-                                       return likelihood(values[0], values[1]);
-                                     });
-          }};
+          .of_splits =
+              [](const ObservedSplits& splits) {
+                return jet_likelihood<2>(
+                    beta_multinomial_family(),
+                    [likelihood = BetaMultinomialLikelihood(splits)](const auto& values) {
+                      return likelihood(values[0], values[1]);
+                    });
+              },
+          .nested = uniform_shapes()};
 }
 
 }  // namespace ramify

@@ -15,6 +15,13 @@ inline std::vector<FamilyParameter> beta_shapes() {
   return {shape("a"), shape("b")};
 }
 
-inline constexpr std::string_view shapes_exchanged = "(a,b) and (b,a) grow mirror images: a <= b is given";
+/// A uniform split fraction grows binary search trees.
+inline std::vector<NestedFamily> uniform_shapes() {
+  return {{"bst", {1, 1}}};
+}
+
+/// The density of (a,a+1), taken with its mirror image, is that of (a,a): x^(a-1) (1-x)^(a-1) (x + 1-x).
+inline constexpr std::string_view shapes_exchanged =
+    "(a,b) and (b,a) grow mirror images: a <= b is given; (a,a) and (a,a+1) cannot be told apart";
 
 }  // namespace ramify

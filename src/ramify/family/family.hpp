@@ -44,6 +44,13 @@ enum class Mirror {
   exchanged,  ///< (a,b) and (b,a)
 };
 
+/// A family without parameters that is another at these values: the same split law at every size, where left
+/// and right mean nothing.
+struct NestedFamily {
+  std::string_view name;
+  std::vector<double> values;
+};
+
 /// A family of models that is fitted: a model with free parameters, or one without any, to compare with.
 ///
 /// One small file each in this folder; families() lists them.
@@ -57,6 +64,10 @@ struct Family {
 
   /// The likelihood of the splits of whole trees.
   SplitLikelihood (*of_splits)(const ObservedSplits& splits);
+
+  /// The simpler families that it holds, exactly; those that it only tends to are none.
+  // NOLINTNEXTLINE(readability-redundant-member-init): -Wextra wants it where an aggregate leaves it out
+  std::vector<NestedFamily> nested = {};
 
   /// Of values of the free parameters. Throws Error where one is out of the model's domain.
   Model at(std::span<const double> values) const;

@@ -56,11 +56,14 @@ Family ford_family() {
           .parameters = {{"alpha", {SearchScale::Kind::plain}, 0, 0.99, {0.05, 0.3, 0.6, 0.9}}},
           .mirror = Mirror::none,
           .alike = "",
-          .of_splits = [](const ObservedSplits& splits) {
-            return jet_likelihood<1>(
-                ford_family(),
-                [likelihood = FordLikelihood(splits)](const auto& values) { return likelihood(values[0]); });
-          }};
+          .of_splits =
+              [](const ObservedSplits& splits) {
+                return jet_likelihood<1>(ford_family(),
+                                         [likelihood = FordLikelihood(splits)](const auto& values) {
+                                           return likelihood(values[0]);
+                                         });
+              },
+          .nested = {{"bst", {0}}, {"catalan", {0.5}}}};
 }
 
 }  // namespace ramify

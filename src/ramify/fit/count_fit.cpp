@@ -5,10 +5,16 @@
 #include <cmath>
 
 #include <boost/math/special_functions/gamma.hpp>
+#include <fmt/format.h>
 
+#include "ramify/core/contract.hpp"
+#include "ramify/core/error.hpp"
 #include "ramify/fit/bootstrap.hpp"
+#include "ramify/fit/note.hpp"
+#include "ramify/fit/valley.hpp"
 #include "ramify/large/stream_counts.hpp"
 #include "ramify/sample/grow_blocks.hpp"
+#include "ramify/theory/horton_ratio_constant.hpp"
 
 namespace ramify {
 namespace {
@@ -24,6 +30,29 @@ Goodness goodness_of(double misfit, const ObservedCounts& counts, std::size_t pa
 
 Point place_of(const FamilyFit& fit) {
   return fit.family->searched(fit.estimates());
+}
+
+/// look(replicate, its counts) of the trees of a bootstrap; several threads call it at once.
+template <class Look>
+void each_grown_counts(const Model& model, Size n, const BootstrapPlan& plan, unsigned threads,
+                       const Cancellation& cancellation, Look look) {
+  const GrowingJob job{model, n, plan.seed, {orders_and_height, true}, 0, plan.trees, 64};
+  grow_blocks({job}, threads, cancellation, [&look](const Block&, const BlockTrees& trees) {
+    trees.each([&look](std::uint64_t replicate, const TreeMeasures& measures) {
+      const auto top = measures.streams.begin() + measures.strahler + 1;
+      look(replicate, ObservedCounts{{measures.streams.begin(), top}});
+    });
+  });
+}
+
+/// Which orders Huber's loss holds to be odd.
+std::string outlying_note(const CountFitness& fitness) {
+  std::string orders;
+  for (std::size_t k = 0; k < fitness.residuals.size(); ++k)
+    if (const double z = fitness.residuals[k]; std::abs(z) > huber_scale)
+      orders += fmt::format("{}{} ({:+.2g})", orders.empty() ? "" : ", ", k + 1, z);
+  return fmt::format("Huber's loss beyond {} standard deviations: {}", huber_scale,
+                     orders.empty() ? "no order is so far off" : "order " + orders + " counts less");
 }
 
 }  // namespace
@@ -44,7 +73,8 @@ FamilyFit CountFitter::fit(const Family& family, const ObservedCounts& counts) {
   CountSurface& surface = this->surface(family, counts.n());
   const CountReading reading = counts.reading();
   while (true) {
-    FamilyFit fit = fit_family(family, count_objective(surface, counts), static_cast<double>(counts.n()));
+    FamilyFit fit =
+        fit_family(family, count_objective(surface, counts, density_), static_cast<double>(counts.n()));
     bool refined = false;
     for (const Point& place : fit.searched_places) refined |= surface.refine(place, reading);
     if (refined) continue;
@@ -55,8 +85,10 @@ FamilyFit CountFitter::fit(const Family& family, const ObservedCounts& counts) {
 }
 
 void CountFitter::settle(FamilyFit& fit, const ObservedCounts& counts) {
-  const CountFitness fitness = count_fitness(surface(*fit.family, counts.n()), counts, place_of(fit));
+  const CountFitness fitness =
+      count_fitness(surface(*fit.family, counts.n()), counts, place_of(fit), density_);
   fit.log_likelihood = fitness.log_likelihood;
+  if (density_ == CountDensity::huber) add_note(fit.note, outlying_note(fitness));
   fit.goodness = goodness_of(fitness.misfit, counts, fit.parameters.size());
 }
 
@@ -80,22 +112,58 @@ void CountFitter::bootstrap(FamilyFit& fit, const ObservedCounts& counts, const 
   const Point start = place_of(fit);
   std::vector<std::vector<double>> estimates(plan.trees);
   std::vector<double> misfits(plan.trees);
-  const GrowingJob job{
-      family.at(fit.estimates()), counts.n(), plan.seed, {orders_and_height, true}, 0, plan.trees, 64};
-  grow_blocks({job}, threads_, *cancellation_, [&](const Block&, const BlockTrees& trees) {
-    trees.each([&](std::uint64_t replicate, const TreeMeasures& measures) {
-      const auto top = measures.streams.begin() + measures.strahler + 1;
-      const ObservedCounts grown{{measures.streams.begin(), top}};
-      const Point place = best_place(family, count_objective(surface, grown), start);
-      estimates[replicate] = family.values(place);
-      misfits[replicate] = count_misfit(surface, grown, place);
-    });
-  });
+  const auto refit = [&](std::uint64_t replicate, const ObservedCounts& grown) {
+    const Point place = best_place(family, count_objective(surface, grown, density_), start);
+    estimates[replicate] = family.values(place);
+    misfits[replicate] = count_misfit(surface, grown, place);
+  };
+  each_grown_counts(family.at(fit.estimates()), counts.n(), plan, threads_, *cancellation_, refit);
   summarise_bootstrap(estimates, fit);
   const auto larger =
       std::ranges::count_if(misfits, [&fit](double misfit) { return misfit >= fit.goodness.statistic; });
   fit.goodness.trees = plan.trees;
   fit.goodness.p_value = (1 + static_cast<double>(larger)) / (1 + static_cast<double>(plan.trees));
+}
+
+std::vector<double> CountFitter::grown_ratios(const NestedPair& pair, const ObservedCounts& counts,
+                                              const BootstrapPlan& plan) {
+  const Family& larger = *pair.larger->family;
+  const Model simpler = pair.simpler->family->at({});
+  CountSurface& surface = this->surface(larger, counts.n());
+  // Laws are read accurately where fits of such trees lie: around that of the first.
+  surface.refine(pair.place, counts.reading());
+  each_grown_counts(simpler, counts.n(), {1, plan.seed}, 1, *cancellation_,
+                    [&](std::uint64_t, const ObservedCounts& first) {
+                      const FamilyFit about = fit(larger, first);
+                      if (about.converged) refine_range(about, first, surface);
+                    });
+  std::vector<double> ratios(plan.trees);
+  each_grown_counts(simpler, counts.n(), plan, threads_, *cancellation_,
+                    [&](std::uint64_t replicate, const ObservedCounts& grown) {
+                      ratios[replicate] =
+                          likelihood_ratio(larger, count_objective(surface, grown, density_), pair.place);
+                    });
+  return ratios;
+}
+
+void CountFitter::trace_valley(FamilyFit& fit, const ObservedCounts& counts) {
+  RAMIFY_EXPECTS(fit.family->mirror == Mirror::exchanged);
+  CountSurface& surface = this->surface(*fit.family, counts.n());
+  std::vector<ValleyStop> stops;
+  for (bool refined = true; refined;) {
+    stops = valley(count_objective(surface, counts, density_), place_of(fit));
+    refined = false;
+    for (const ValleyStop& stop : stops) refined |= surface.refine(stop.searched, counts.reading());
+  }
+  fit.valley.clear();
+  for (const auto& [searched, place] : stops) {
+    if (cancellation_->requested()) throw Interrupted();
+    const std::vector<double> shapes = fit.family->values(searched);
+    const auto ratio = horton_ratio_constant(fit.family->at(shapes));
+    fit.valley.push_back({shapes[0], shapes[1],
+                          count_fitness(surface, counts, searched, density_).log_likelihood,
+                          ratio ? ratio->value : std::nan(""), place});
+  }
 }
 
 }  // namespace ramify

@@ -7,6 +7,7 @@
 #include "ramify/fit/bootstrap.hpp"
 #include "ramify/fit/count_likelihood.hpp"
 #include "ramify/fit/family_fit.hpp"
+#include "ramify/fit/nested_test.hpp"
 
 namespace ramify {
 
@@ -18,8 +19,9 @@ class CountFitter {
  public:
   /// @param threads       decides the time alone
   /// @param cancellation  must outlive it
-  CountFitter(unsigned threads, const Cancellation& cancellation)
-      : threads_(threads), cancellation_(&cancellation) {}
+  CountFitter(unsigned threads, const Cancellation& cancellation,
+              CountDensity density = CountDensity::gaussian)
+      : threads_(threads), cancellation_(&cancellation), density_(density) {}
 
   /// Nothing where the family can be fitted to counts of this n; else why not.
   static std::string cannot_fit(const Family& family, Size n);
@@ -37,6 +39,15 @@ class CountFitter {
   /// replicate) alone. Throws Interrupted. Cost: some 3 ns a node, and 0.3 ms a tree.
   void bootstrap(FamilyFit& fit, const ObservedCounts& counts, const BootstrapPlan& plan);
 
+  /// Likelihood ratios of trees of a simpler family at the same n, fitted with both, those of the bootstrap
+  /// of the simpler one: what add_nested_test() takes. Throws Interrupted. Cost: as of a bootstrap.
+  std::vector<double> grown_ratios(const NestedPair& pair, const ObservedCounts& counts,
+                                   const BootstrapPlan& plan);
+
+  /// Fills the valley of a family of two shapes, likelihoods by the law at every stop. Throws Interrupted.
+  /// Cost: laws of some 10 panels, 26 further ones, and as many R(a,b).
+  void trace_valley(FamilyFit& fit, const ObservedCounts& counts);
+
   /// The surface on which the family was fitted at n.
   CountSurface& surface(const Family& family, Size n);
 
@@ -45,6 +56,7 @@ class CountFitter {
 
   unsigned threads_;
   const Cancellation* cancellation_;
+  CountDensity density_;
   std::map<std::pair<const Family*, Size>, std::unique_ptr<CountSurface>> surfaces_;
 };
 

@@ -36,6 +36,28 @@ struct BootstrapEstimate {
   double deviation;     ///< their standard deviation
 };
 
+/// Whether a simpler family suffices, one without parameters that the fitted one holds (nested_test.hpp).
+struct NestedTest {
+  const Family* simpler;
+  double likelihood_ratio;  ///< 2 (log L of the larger - log L of the simpler)
+  double p_value;           ///< P(a larger one) where the simpler is true: small, and it does not suffice
+  std::uint64_t trees;      ///< of the simpler family, that gave it
+};
+
+/// A pair of shapes on the valley of equivalent pairs (valley.hpp).
+struct ValleyPoint {
+  enum class Place {
+    between,
+    estimate,
+    end,       ///< of the 95 % region
+    open_end,  ///< of what is searched: the region goes on
+  };
+  double a, b;
+  double log_likelihood;
+  double horton_ratio;  ///< R(a,b); NaN where it is out of reach
+  Place place;
+};
+
 /// One family fitted to one observation by maximum likelihood.
 struct FamilyFit {
   const Family* family;
@@ -51,6 +73,10 @@ struct FamilyFit {
   std::vector<BootstrapEstimate> bootstrap;     ///< of every parameter; empty without
   std::optional<FittedParameter> horton_ratio;  ///< limiting_ratio.hpp, where that was asked for and exists
   std::string note;
+  // NOLINTBEGIN(readability-redundant-member-init): -Wextra wants them where an aggregate leaves them out
+  std::vector<NestedTest> simpler = {};  ///< with a bootstrap
+  std::vector<ValleyPoint> valley = {};  ///< of two shapes, where that was asked for; by ascending a+b
+  // NOLINTEND(readability-redundant-member-init)
 
   double aic() const;
   double bic() const;

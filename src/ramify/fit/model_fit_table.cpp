@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -65,6 +66,16 @@ void add_bootstrap(Row& row, const FamilyFit& fit, std::size_t parameter) {
   row.significant(found.bias, table_digits);
 }
 
+/// The row that a test of a simpler family has: "bst_suffices".
+std::string suffices(const NestedTest& test) {
+  return fmt::format("{}_suffices", test.simpler->name);
+}
+
+/// Of a p-value.
+double monte_carlo_error(const NestedTest& test) {
+  return std::sqrt(test.p_value * (1 - test.p_value) / static_cast<double>(test.trees));
+}
+
 class Rows {
  public:
   Rows(const FittedDatum& datum, Table& table) : datum_(datum), table_(table) {}
@@ -85,20 +96,30 @@ class Rows {
       add_estimate(row, fit, *fit.horton_ratio);
       finish(row, fit, rank, fit.parameters.size());
     }
+    for (const NestedTest& test : fit.simpler) add_test(fit, rank, test);
   }
 
  private:
+  void add_test(const FamilyFit& fit, std::size_t rank, const NestedTest& test) {
+    Row row = begun(fit);
+    row.text(suffices(test)).significant(test.p_value, table_digits);
+    row.significant(monte_carlo_error(test), table_digits).nothing().nothing();
+    finish(row, fit, rank, fit.parameters.size(), test.likelihood_ratio);
+  }
+
   Row begun(const FamilyFit& fit) const {
     Row row;
     row.text(datum_.data).text(fit.family->name);
     return row;
   }
 
-  void finish(Row& row, const FamilyFit& fit, std::size_t rank, std::size_t parameter) {
+  void finish(Row& row, const FamilyFit& fit, std::size_t rank, std::size_t parameter,
+              double likelihood_ratio = std::numeric_limits<double>::quiet_NaN()) {
     row.text(datum_.observable).whole(datum_.n).whole(rank);
     row.fixed(fit.log_likelihood, 4).fixed(fit.aic(), 4).fixed(fit.bic(), 4);
     row.fixed(fit.aic() - datum_.fits.front().aic(), 4);
     row.significant(fit.goodness.statistic, table_digits).significant(fit.goodness.p_value, table_digits);
+    row.significant(likelihood_ratio, table_digits);
     add_bootstrap(row, fit, parameter);
     table_.add(row.text(status_of(fit)).text(note_of(fit, datum_)));
   }
@@ -126,6 +147,7 @@ Table model_fit_table(std::span<const FittedDatum> data) {
                "delta_aic",
                "misfit",
                "misfit_p",
+               "likelihood_ratio",
                "bootstrap_trees",
                "bootstrap_lower",
                "bootstrap_upper",
@@ -185,6 +207,12 @@ void add_lines(const FamilyFit& fit, double least_aic, Table& table) {
     else
       row.nothing().nothing().nothing();
     table.add(std::move(row));
+  }
+  for (const NestedTest& test : fit.simpler) {
+    Row row;
+    row.text("").text(suffices(test));
+    row.text(fmt::format("P {:.2g}, likelihood ratio {:.3g}", test.p_value, test.likelihood_ratio));
+    table.add(std::move(row.nothing().nothing().nothing().nothing()));
   }
 }
 

@@ -8,7 +8,10 @@
 #include "ramify/core/error.hpp"
 #include "ramify/fit/count_fit.hpp"
 #include "ramify/fit/limiting_ratio.hpp"
+#include "ramify/fit/nested_test.hpp"
+#include "ramify/fit/note.hpp"
 #include "ramify/fit/tree_fit.hpp"
+#include "ramify/fit/valley.hpp"
 #include "ramify/measure/tree_measurement.hpp"
 #include "ramify/text/trimmed.hpp"
 
@@ -50,6 +53,8 @@ FamilyFit fit_counts(const Family& family, const ObservedCounts& counts, const M
   if (!fit.converged) return fit;
   fitter.settle(fit, counts);
   fit.horton_ratio = limiting_ratio(fit);
+  add_note(fit.note, valley_note(fit));
+  if (options.valleys && family.mirror == Mirror::exchanged) fitter.trace_valley(fit, counts);
   if (options.bootstrap_trees > 0) fitter.bootstrap(fit, counts, {options.bootstrap_trees, options.seed});
   return fit;
 }
@@ -84,10 +89,11 @@ std::vector<const Family*> chosen_families(std::string_view names) {
 
 std::vector<FittedDatum> fit_order_counts(std::span<const OrderCounts> tables, std::string_view file,
                                           const ModelFitOptions& options, const Cancellation& cancellation) {
-  CountFitter fitter(options.threads, cancellation);
+  CountFitter fitter(options.threads, cancellation, options.density);
   std::vector<FittedDatum> data;
   double done = 0;
-  const auto total = static_cast<double>(tables.size() * options.families.size());
+  const auto total = static_cast<double>(tables.size()) *
+                     (static_cast<double>(options.families.size()) + (options.bootstrap_trees > 0 ? 1 : 0));
   for (const OrderCounts& table : tables) {
     require_counts(table);
     const ObservedCounts counts{table.counts};
@@ -99,6 +105,11 @@ std::vector<FittedDatum> fit_order_counts(std::span<const OrderCounts> tables, s
                       {}};
     for (const Family* family : options.families) {
       datum.fits.push_back(fit_counts(*family, counts, options, fitter));
+      if (options.progress) options.progress(++done, total);
+    }
+    if (options.bootstrap_trees > 0) {
+      for (const NestedPair& pair : nested_pairs(datum.fits))
+        add_nested_test(pair, fitter.grown_ratios(pair, counts, {options.bootstrap_trees, options.seed}));
       if (options.progress) options.progress(++done, total);
     }
     rank(datum.fits);

@@ -40,6 +40,21 @@ std::vector<ObservedSplits> grown_splits(const Model& model, const ObservedSplit
   return splits;
 }
 
+/// look(replicate, its splits) of the trees of a bootstrap; several threads call it at once.
+template <class Look>
+void each_grown_tree(const Model& model, const ObservedSplits& observed, const BootstrapPlan& plan,
+                     unsigned threads, const Cancellation& cancellation, Look look) {
+  const std::uint64_t chunk = trees_at_once(static_cast<Size>(observed.nodes()), threads);
+  for (std::uint64_t first = 0; first < plan.trees; first += chunk) {
+    const std::uint64_t last = std::min(first + chunk, plan.trees);
+    const auto splits = grown_splits(model, observed, plan, threads, first, last, cancellation);
+    parallel_for(splits.size(), threads, [&](std::size_t i, unsigned) {
+      if (cancellation.requested()) throw Interrupted();
+      look(first + i, splits[i]);
+    });
+  }
+}
+
 /// The fit of a replicate: from where the observed fit lies, and from between where a pair may be exchanged.
 /// Nothing where it does not converge.
 std::optional<FittedFeatures> refitted(const Family& family, const ObservedSplits& splits, Point at) {
@@ -78,15 +93,10 @@ void bootstrap_tree_fit(FamilyFit& fit, const ObservedSplits& observed, const Bo
   const Model model = family.at(estimates);
   const Point at = family.searched(estimates);
   std::vector<std::optional<FittedFeatures>> refits(plan.trees);
-  const std::uint64_t chunk = trees_at_once(static_cast<Size>(observed.nodes()), threads);
-  for (std::uint64_t first = 0; first < plan.trees; first += chunk) {
-    const std::uint64_t last = std::min(first + chunk, plan.trees);
-    const auto splits = grown_splits(model, observed, plan, threads, first, last, cancellation);
-    parallel_for(splits.size(), threads, [&](std::size_t i, unsigned) {
-      if (cancellation.requested()) throw Interrupted();
-      refits[first + i] = refitted(family, splits[i], at);
-    });
-  }
+  each_grown_tree(model, observed, plan, threads, cancellation,
+                  [&](std::uint64_t replicate, const ObservedSplits& splits) {
+                    refits[replicate] = refitted(family, splits, at);
+                  });
   std::vector<FittedFeatures> all{{at, features_of(observed, fit.log_likelihood)}};
   std::vector<std::vector<double>> grown;
   for (auto& refit : refits) {
@@ -100,6 +110,18 @@ void bootstrap_tree_fit(FamilyFit& fit, const ObservedSplits& observed, const Bo
   summarise_bootstrap(grown, fit);
   const std::vector<double> lacks = lack_of_fit(all);
   fit.goodness = {lacks[0], p_value(lacks, plan.seed), grown.size(), 0};
+}
+
+std::vector<double> grown_ratios(const NestedPair& pair, const ObservedSplits& observed,
+                                 const BootstrapPlan& plan, unsigned threads,
+                                 const Cancellation& cancellation) {
+  std::vector<double> ratios(plan.trees);
+  each_grown_tree(pair.simpler->family->at({}), observed, plan, threads, cancellation,
+                  [&](std::uint64_t replicate, const ObservedSplits& splits) {
+                    const Family& larger = *pair.larger->family;
+                    ratios[replicate] = likelihood_ratio(larger, tree_objective(larger, splits), pair.place);
+                  });
+  return ratios;
 }
 
 }  // namespace ramify

@@ -3,6 +3,7 @@
 #include "ramify/core/cancellation.hpp"
 #include "ramify/family/observed_splits.hpp"
 #include "ramify/fit/bootstrap.hpp"
+#include "ramify/fit/nested_test.hpp"
 
 namespace ramify {
 
@@ -16,5 +17,11 @@ namespace ramify {
 /// Cost, a tree: growing, some 40 ns a node, and a fit without intervals.
 void bootstrap_tree_fit(FamilyFit& fit, const ObservedSplits& observed, const BootstrapPlan& plan,
                         unsigned threads, const Cancellation& cancellation);
+
+/// Likelihood ratios of trees of a simpler family, those of its bootstrap, fitted with both families: what
+/// add_nested_test() takes. Throws Interrupted. Cost: as of a bootstrap.
+std::vector<double> grown_ratios(const NestedPair& pair, const ObservedSplits& observed,
+                                 const BootstrapPlan& plan, unsigned threads,
+                                 const Cancellation& cancellation);
 
 }  // namespace ramify

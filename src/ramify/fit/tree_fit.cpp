@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "ramify/core/error.hpp"
+#include "ramify/fit/nested_test.hpp"
 #include "ramify/fit/tree_bootstrap.hpp"
 
 namespace ramify {
@@ -38,6 +39,9 @@ TreeFit fit_of(std::string name, const ObservedSplits& splits, std::span<const F
     if (options.bootstrap.trees > 0 && one.converged)
       bootstrap_tree_fit(one, splits, options.bootstrap, options.threads, cancellation);
   }
+  if (options.bootstrap.trees > 0)
+    for (const NestedPair& pair : nested_pairs(fit.families))
+      add_nested_test(pair, grown_ratios(pair, splits, options.bootstrap, options.threads, cancellation));
   rank(fit.families);
   return fit;
 }
