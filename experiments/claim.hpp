@@ -88,6 +88,8 @@ Claim depth_claim();
 Claim height_claim();
 Claim patricia_order_claim();
 Claim patricia_fill_claim();
+Claim bst_fill_claim();
+Claim bst_balance_claim();
 Claim bst_order_claim();
 Claim catalan_order_claim();
 
