@@ -3,7 +3,7 @@
 #include "ledger.hpp"
 
 #include <cmath>
-#include <map>
+#include <set>
 #include <string>
 
 #include "support/sanitized.hpp"
@@ -57,8 +57,7 @@ TEST(LedgerWithoutTrees, EveryPartIsJudgedByTheLawsAndItsRivalsAreRefused) {
   if (test::sanitized) GTEST_SKIP() << "laws to 10^100 take a minute";
   const auto judged = judged_without_trees();
   EXPECT_TRUE(judged.failures.empty()) << judged.failures.front();
-  const std::map<std::string, Decision> refuted{
-      {"C19.1", Decision::refuted}, {"C20.2", Decision::refuted}, {"C20.3", Decision::refuted}};
+  const std::set<std::string> refuted{"C19.1", "C20.2", "C20.3"};
   std::size_t parts = 0;
   for (const auto& claim : claims()) parts += claim.parts.size();
   EXPECT_EQ(judged.verdicts.size(), parts);
