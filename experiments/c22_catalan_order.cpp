@@ -1,80 +1,68 @@
 // C22: the Horton-Strahler number of equiprobable binary trees (quoted in K96 B.1.2 from Flajolet, Raoult and
 // Vuillemin 1979 and Kemp 1979): E S_n ~ log_4 n and Var S_n = O(1).
 //
-// E S_n = log_4 n + 0.2924 + an oscillation of amplitude 0.0407 with period 4 in n: along n 4^j every step
-// adds exactly 1.
-#include <algorithm>
+// E S_n = log_4 n + 0.2924 + an oscillation of amplitude 0.0407 with period 4 in n, and Var S_n oscillates
+// with it: along n 4^j the mean goes up by exactly 1 and the variance stays, up to O(1/n).
 #include <cmath>
 
 #include "growth.hpp"
 
-#include "ramify/compare/judge.hpp"
 #include "ramify/theory/strahler_constant.hpp"
 
 namespace ramify {
 namespace {
 
 constexpr const char* counted = "order of the root, leaf order 0";
+constexpr double largest_catalan = 1e12;
 
-GrowthClaim mean_growth(const Model& catalan) {
-  return {"C22.1", "K96 B.1.2",         "E S_n ~ log_4 n, catalan",
-          counted, statistic::strahler, strahler_constant(catalan).value().value,
-          0.02,    Approach::settles,   ""};
-}
-
-/// Bounded variance: its slope on log n is 0. Standard error of a variance from its own spread: v
-/// sqrt(2/trees) is near enough for two or three atoms, where the fourth moment is below three times the
-/// squared variance; as that of a mean it is at least 1/trees.
-Verdict bounded_variance(const ModelCells& catalan) {
-  std::vector<SizedMean> variances;
-  double largest = 0;
-  for (const auto& cell : catalan.cells) {
-    const double variance = cell.result.column(statistic::strahler).variance;
-    largest = std::max(largest, variance);
-    const double trees = static_cast<double>(cell.result.replicates);
-    variances.push_back(
-        {static_cast<double>(cell.result.n), variance, std::max(variance * std::sqrt(2 / trees), 1 / trees)});
-  }
-  const Slope slope = fit_slope(variances);
-  const Interval interval = sampling_interval(slope.value, slope.standard_error);
-  constexpr double tolerance = 0.01;
-  const double fitted_rise = slope.value * std::log(slope.largest_n / slope.smallest_n);
-  return {"C22.2",
+Statement mean_growth(const Model& catalan) {
+  return {"C22.1",
+          "E S_n ~ log_4 n, catalan",
           "K96 B.1.2",
-          "Var S_n = O(1), catalan: slope of the variance on log n is 0",
           counted,
+          Relation::equals,
+          "1/log 4",
+          strahler_constant(catalan).value().value,
+          {{"1/log 2, the ratio of nodes", 1 / std::log(2.0)},
+           {"1/log 3.0438..., bst", strahler_constant(Model::parse("bst")).value().value}},
+          std::nullopt};
+}
+
+/// The mean variance over a period is 0.1788 (Flajolet, Raoult, Vuillemin 1979).
+Statement bounded_variance() {
+  constexpr double variance = 0.1788, decades = 6;
+  return {"C22.2",
+          "Var S_n = O(1), catalan: slope of the variance on log n is 0",
+          "K96 B.1.2",
+          counted,
+          Relation::equals,
+          "0",
           0,
-          slope.value,
-          slope.standard_error,
-          interval.lower,
-          interval.upper,
-          static_cast<std::uint64_t>(slope.largest_n),
-          judge(interval, 0, tolerance),
-          "slope of the sample variance on log n over all sizes, tolerance 0.01; variances up to " +
-              std::to_string(largest) + ", fitted rise over the grid " + std::to_string(fitted_rise)};
+          {{"a variance that doubles from n = 10^6 to 10^12", variance / (decades * std::log(10.0))}},
+          std::nullopt};
 }
 
-std::vector<Verdict> judge_catalan_order(const std::vector<ModelCells>& models) {
-  const ModelCells& catalan = models.front();
-  return {judge_growth(mean_growth(catalan.model), catalan), bounded_variance(catalan)};
-}
-
-std::vector<NamedPlot> plot_catalan_order(const std::vector<ModelCells>& models) {
-  const ModelCells& catalan = models.front();
-  return {growth_plot(
-      {"C22_catalan_order", "Horton-Strahler number of equiprobable trees", "mean S_n (leaf order 0)"},
-      {{mean_growth(catalan.model), catalan}})};
+std::vector<ClaimPart> catalan_order_parts() {
+  using Rungs = GrowthLadder::Rungs;
+  using Approach = GrowthLadder::Approach;
+  const Model catalan = Model::parse("catalan");
+  const StatisticInfo& order = statistic::strahler;
+  return {{mean_growth(catalan), catalan, &order,
+           growth_basis({catalan, {&order, Rungs::medians, Approach::settles, largest_catalan}})},
+          {bounded_variance(), catalan, &order,
+           growth_basis({catalan, {&order, Rungs::variances, Approach::settles, largest_catalan}})}};
 }
 
 }  // namespace
 
 Claim catalan_order_claim() {
-  return {"C22",
-          "E S_n ~ log_4 n, Var S_n = O(1): Horton-Strahler number of equiprobable binary trees",
-          "K96 B.1.2; Flajolet, Raoult, Vuillemin 1979",
-          {&statistic::strahler, growth_sizes, "equiprobable binary trees, catalan", is_of<Catalan>},
-          judge_catalan_order,
-          plot_catalan_order};
+  return growth_claim(
+      {"C22",
+       "E S_n ~ log_4 n, Var S_n = O(1): Horton-Strahler number of equiprobable binary trees",
+       "K96 B.1.2; Flajolet, Raoult, Vuillemin 1979",
+       catalan_order_parts(),
+       {}},
+      {"C22_catalan_order", "Horton-Strahler number of equiprobable trees", "mean S_n (leaf order 0)"});
 }
 
 }  // namespace ramify

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cctype>
-#include <map>
 #include <sstream>
 
+#include "verdicts.hpp"
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "ramify/core/error.hpp"
 #include "ramify/core/find_named.hpp"
@@ -13,12 +14,19 @@
 namespace ramify {
 namespace {
 
+std::string spoken_of(const Claim& claim) {
+  std::vector<std::string> models;
+  for (const auto& part : claim.parts)
+    if (std::ranges::find(models, part.model.text()) == models.end()) models.push_back(part.model.text());
+  return fmt::format("{}", fmt::join(models, ", "));
+}
+
 void require_models(const Claim& claim, const RunConfig& config) {
   for (const auto& group : config.groups)
     for (const auto& model : group.models)
-      if (!claim.needs.speaks_of(model))
+      if (!claim.speaks_of(model))
         throw Error(fmt::format("{}: claim {} with model {}", config.path, claim.id, model.text()),
-                    fmt::format("it speaks of {}", claim.needs.models),
+                    fmt::format("its parts are of {}", spoken_of(claim)),
                     "take the model, or the claim, out of the config");
 }
 
@@ -33,10 +41,10 @@ std::size_t sizes_of(const Model& model, const RunConfig& config) {
 void require_sizes(const Claim& claim, const RunConfig& config) {
   for (const auto& group : config.groups)
     for (const auto& model : group.models)
-      if (const std::size_t sizes = sizes_of(model, config); sizes < claim.needs.sizes)
+      if (const std::size_t sizes = sizes_of(model, config); sizes < claim_sizes)
         throw Error(
             fmt::format("{}: claim {} with {} sizes of {}", config.path, claim.id, sizes, model.text()),
-            fmt::format("it is judged over {} or more", claim.needs.sizes), "add sizes to n");
+            fmt::format("{} or more are held against the laws", claim_sizes), "add sizes to n");
 }
 
 void require_trees(const Claim& claim, const RunConfig& config) {
@@ -49,10 +57,15 @@ void require_trees(const Claim& claim, const RunConfig& config) {
             fmt::format("take {} or more", claim_trees));
 }
 
+void require_statistics(const Claim& claim, const RunConfig& config) {
+  for (const auto& part : claim.parts)
+    if (!config.statistics.contains(*part.statistic))
+      throw Error(fmt::format("{}: claim {} without '{}'", config.path, claim.id, part.statistic->name),
+                  "it is of that statistic", "add it to statistics");
+}
+
 void require_needs(const Claim& claim, const RunConfig& config) {
-  if (!config.statistics.contains(*claim.needs.statistic))
-    throw Error(fmt::format("{}: claim {} without '{}'", config.path, claim.id, claim.needs.statistic->name),
-                "it is judged by that statistic", "add it to statistics");
+  require_statistics(claim, config);
   require_models(claim, config);
   require_sizes(claim, config);
   require_trees(claim, config);
@@ -70,8 +83,9 @@ std::string whole_claim(std::string id) {
 }  // namespace
 
 const std::vector<Claim>& claims() {
-  static const std::vector<Claim> all{depth_claim(),         height_claim(),    patricia_order_claim(),
-                                      patricia_fill_claim(), bst_order_claim(), catalan_order_claim()};
+  static const std::vector<Claim> all{depth_claim(),         height_claim(),       patricia_order_claim(),
+                                      patricia_fill_claim(), bst_fill_claim(),     bst_balance_claim(),
+                                      bst_order_claim(),     catalan_order_claim()};
   return all;
 }
 
@@ -91,9 +105,20 @@ std::vector<const Claim*> served_claims(const RunConfig& config) {
   return served;
 }
 
+bool Claim::speaks_of(const Model& model) const {
+  return std::ranges::find(parts, model, &ClaimPart::model) != parts.end();
+}
+
 Table claim_table() {
-  Table table({"claim", "statement", "source"});
-  for (const auto& claim : claims()) table.add(Row().texts({claim.id, claim.statement, claim.source}));
+  Table table(
+      {"claim", "part", "statement", "source", "convention", "relation", "formula", "theory", "rivals"});
+  for (const auto& claim : claims())
+    for (const auto& [statement, model, statistic, basis] : claim.parts)
+      table.add(Row()
+                    .texts({claim.id, statement.part, statement.text, statement.source, statement.convention,
+                            to_string(statement.relation), statement.formula})
+                    .summary(statement.theory)
+                    .text(in_words(statement.rivals)));
   return table;
 }
 

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
-#include "ramify/compare/verdict.hpp"
+#include "growth_limit.hpp"
+
+#include "ramify/compare/finding.hpp"
 #include "ramify/config/run_config.hpp"
 #include "ramify/io/table.hpp"
 #include "ramify/model/model.hpp"
@@ -30,33 +32,37 @@ struct ModelCells {
   std::size_t look = 0;                 ///< its symbol and colour (ModelLooks)
 };
 
-/// It is of trees of that split law.
-template <class Law>
-bool is_of(const Model& model) {
-  return model.is_split() && std::holds_alternative<Law>(model.law());
-}
-
-/// What a claim needs of a config that serves it.
-struct ClaimNeeds {
-  const StatisticInfo* statistic;  ///< that it is judged by; it has one column
-  std::size_t sizes;               ///< of every model, at least
-  std::string_view models;         ///< what it speaks of, in words
-  bool (*speaks_of)(const Model&);
+/// What a claim's parts are judged with.
+struct Evidence {
+  GrowthLimits& limits;
+  const Cancellation& cancellation;
 };
 
-/// A claim of the sources as an experiment: the catalogue number, what it says, what decides it and how.
+/// One statement of a claim and how what is known of it is found. The statement stands before anything is
+/// computed; the basis is always found, or the part named as one that cannot be judged.
+struct ClaimPart {
+  Statement statement;
+  /// Of what trees its sampler check is.
+  Model model;
+  const StatisticInfo* statistic;  ///< of one column
+  std::function<Basis(const Evidence&)> basis;
+};
+
+/// A claim of the sources as an experiment: the catalogue number, what it says, its parts, and what is drawn
+/// of it.
 ///
-/// Models, sizes and replicates are those of the configs that serve it (`claim = "C20"`, or several: "C6
-/// C7"); judge and plots get the cells of all of them, model by model in the order of the configs. A new
-/// claim is one file here, a line in claims() and a config in configs/quick and configs/full.
+/// What decides a part is its basis, mostly exact laws; trees are sampled, by the configs that serve the
+/// claim (`claim = "C20"`, or several: "C6 C7"), to hold the samplers against the laws, and for the plots. A
+/// new claim is one file here, a line in claims() and a config in configs/quick and configs/full.
 struct Claim {
   std::string_view id;  ///< number in docs/catalogue.md, "C20"
   std::string_view statement;
   std::string_view source;
-  ClaimNeeds needs;
-  /// One verdict for every part of the claim that the models bear on; every model has what `needs` says.
-  std::function<std::vector<Verdict>(const std::vector<ModelCells>&)> judge;
+  std::vector<ClaimPart> parts;
+  /// Of the cells of all configs that serve it, model by model in their order.
   std::function<std::vector<NamedPlot>(const std::vector<ModelCells>&)> plots;
+
+  bool speaks_of(const Model& model) const;
 };
 
 /// All claims, in the order of the catalogue.
@@ -66,21 +72,24 @@ const std::vector<Claim>& claims();
 /// throws Error for an unknown one (nearest names given).
 std::vector<const Claim*> find_claims(std::string_view ids);
 
-/// Trees of a cell without which no claim is judged: of fewer the spread, and with it every interval, is
-/// known too badly.
+/// Cells of every model, and trees of a cell, without which nothing is held against the laws: of fewer the
+/// spread is known too badly.
+inline constexpr std::size_t claim_sizes = 4;
 inline constexpr std::uint64_t claim_trees = 10;
 
 /// The claims that a config serves. Throws Error for an unknown one, and where the config lacks what one of
 /// them needs: its statistic, sizes of a model, trees of every cell, or no model but those it speaks of.
 std::vector<const Claim*> served_claims(const RunConfig& config);
 
-/// Number, statement and source of every claim: `ramify list claims`.
+/// A row for every part: `ramify list claims`.
 Table claim_table();
 
 Claim depth_claim();
 Claim height_claim();
 Claim patricia_order_claim();
 Claim patricia_fill_claim();
+Claim bst_fill_claim();
+Claim bst_balance_claim();
 Claim bst_order_claim();
 Claim catalan_order_claim();
 

@@ -8,30 +8,31 @@
 namespace ramify {
 namespace {
 
-void write_plots(const Evidence& evidence, const std::filesystem::path& folder) {
-  for (const auto& named : evidence.plots()) write_plot(named.plot, folder, named.stem);
+void write_plots(const Ledger& ledger, const std::filesystem::path& folder) {
+  for (const auto& named : ledger.plots()) write_plot(named.plot, folder, named.stem);
 }
 
 }  // namespace
 
 RunOutcome run_and_judge(const RunConfig& config, const RunOptions& options, const Cancellation& cancellation,
-                         Evidence& evidence) {
+                         Ledger& ledger, GrowthLimits& limits) {
   RunOutcome outcome = run_experiment(config, options, cancellation);
   if (!outcome.finished) return outcome;
-  evidence.add(config, outcome.checked);
-  Evidence own(options.looks);
+  ledger.add(config, outcome.checked);
+  Ledger own(options.looks);
   own.add(config, outcome.checked);
-  if (served_claims(config).empty()) return outcome;
-  write_file_atomically(outcome.folder / "verdict.json", verdict_json(own.verdicts()));
+  if (own.served().empty()) return outcome;
+  const auto judged = own.judged(own.served(), limits, options.threads, cancellation);
+  write_file_atomically(outcome.folder / "verdicts.csv", write_csv(verdict_table(judged.verdicts)));
   write_plots(own, outcome.folder / "plots");
   return outcome;
 }
 
-void write_verdicts(const Evidence& evidence, const std::filesystem::path& folder) {
-  const auto verdicts = evidence.verdicts();
+void write_verdicts(const std::vector<Verdict>& verdicts, const Ledger& ledger,
+                    const std::filesystem::path& folder) {
   require_writable_folder(folder / "plots");
   write_file_atomically(folder / "verdicts.csv", write_csv(verdict_table(verdicts)));
-  write_plots(evidence, folder / "plots");
+  write_plots(ledger, folder / "plots");
   write_file_atomically(folder / "verdicts.txt", verdict_text(verdicts));
 }
 

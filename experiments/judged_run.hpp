@@ -2,19 +2,21 @@
 
 #include <filesystem>
 
-#include "evidence.hpp"
+#include "ledger.hpp"
 
 #include "ramify/core/cancellation.hpp"
 #include "ramify/run/run.hpp"
 
 namespace ramify {
 
-/// Runs a config and adds its cells to the evidence; where it serves claims, verdict.json and their plots of
-/// its own cells are written beside its tables. A run that was stopped is evidence of nothing.
+/// Runs a config and adds its cells to the ledger; where it serves claims, verdicts.csv and their plots of
+/// its own cells are written beside its tables. A run that was stopped is evidence of nothing. Throws
+/// Interrupted where it is stopped while claims are judged.
 RunOutcome run_and_judge(const RunConfig& config, const RunOptions& options, const Cancellation& cancellation,
-                         Evidence& evidence);
+                         Ledger& ledger, GrowthLimits& limits);
 
 /// Writes verdicts.csv, verdicts.txt and the claims' plots, plots/*, into a folder.
-void write_verdicts(const Evidence& evidence, const std::filesystem::path& folder);
+void write_verdicts(const std::vector<Verdict>& verdicts, const Ledger& ledger,
+                    const std::filesystem::path& folder);
 
 }  // namespace ramify

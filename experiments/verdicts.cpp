@@ -1,74 +1,124 @@
 #include "verdicts.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "ramify/io/text_writer.hpp"
 #include "ramify/text/csv_reader.hpp"
 
 namespace ramify {
 
+namespace {
+
+/// As many decimals as tell the ends of an interval apart, four at least.
+int decimals_of(const Interval& interval) {
+  const double width = interval.upper - interval.lower;
+  constexpr int fewest = 4, most = 12;
+  if (!(width > 0) || !std::isfinite(width)) return fewest;
+  return std::clamp(1 - static_cast<int>(std::floor(std::log10(width))), fewest, most);
+}
+
+/// "[0.8983, 0.8985]"
+std::string interval_text(const Basis& basis) {
+  const int decimals = decimals_of(basis.interval);
+  return fmt::format("[{:.{}f}, {:.{}f}]", basis.interval.lower, decimals, basis.interval.upper, decimals);
+}
+
+std::string sampler_text(const SamplerCheck& check) {
+  if (check.means == 0) return std::string(check.word());
+  return fmt::format("{}: {} means, {:.1f} s.e.", check.word(), check.means, check.worst_z);
+}
+
+/// n, whole as far as it is printed whole.
+Row& add_size(Row& row, double n) {
+  return n < 0x1p53 && n == std::floor(n) ? row.whole(static_cast<std::uint64_t>(n)) : row.significant(n, 3);
+}
+
+/// "limit, extrapolated"
+std::string rests_on(const Basis& basis) {
+  return fmt::format("{}, {}", to_string(basis.evidence), to_string(basis.standing));
+}
+
+}  // namespace
+
+std::string_view to_string(Relation relation) {
+  switch (relation) {
+    case Relation::at_most:
+      return "at most";
+    case Relation::at_least:
+      return "at least";
+    case Relation::equals:
+      break;
+  }
+  return "equals";
+}
+
+std::string in_words(const std::vector<NamedValue>& values) {
+  std::string text;
+  for (const auto& [name, value] : values)
+    text += fmt::format("{}{} ({:.7g})", text.empty() ? "" : "; ", name, value);
+  return text;
+}
+
 Table verdict_table(const std::vector<Verdict>& verdicts) {
-  Table table({"claim", "source", "statement", "convention", "theory", "estimate", "standard_error", "lower",
-               "upper", "largest_n", "verdict", "method"});
-  for (const auto& v : verdicts)
-    table.add(Row()
-                  .text(v.claim)
-                  .text(v.source)
-                  .text(v.statement)
-                  .text(v.convention)
-                  .summary(v.theory)
-                  .summary(v.estimate)
-                  .summary(v.standard_error)
-                  .summary(v.lower)
-                  .summary(v.upper)
-                  .whole(v.largest_n)
-                  .text(to_string(v.outcome))
-                  .text(v.method));
+  Table table({"claim",         "source",  "statement",      "convention", "relation", "formula",
+               "theory",        "rivals",  "instead",        "evidence",   "standing", "estimate",
+               "lower",         "upper",   "standard_error", "largest_n",  "verdict",  "sampler",
+               "sampled_means", "worst_z", "method"});
+  for (const auto& [finding, decision, sampler] : verdicts) {
+    const auto& [statement, basis] = finding;
+    const int decimals = decimals_of(basis.interval);
+    Row row;
+    row.texts({statement.part, statement.source, statement.text, statement.convention,
+               to_string(statement.relation), statement.formula})
+        .summary(statement.theory)
+        .text(in_words(statement.rivals))
+        .text(statement.instead ? in_words({*statement.instead}) : "")
+        .texts({to_string(basis.evidence), to_string(basis.standing)})
+        .fixed(basis.estimate, decimals)
+        .fixed(basis.interval.lower, decimals)
+        .fixed(basis.interval.upper, decimals)
+        .summary(basis.standard_error);
+    add_size(row, basis.largest_n)
+        .texts({to_string(decision), sampler.word()})
+        .whole(sampler.means)
+        .fixed(sampler.means > 0 ? sampler.worst_z : Basis::none, 2)
+        .text(decision == Decision::inconclusive ? basis.method + "; what would decide it: " + basis.left_open
+                                                 : basis.method);
+    table.add(std::move(row));
+  }
   return table;
 }
 
 std::string verdict_text(const std::vector<Verdict>& verdicts) {
-  Table table({"claim", "statement", "theory", "estimate [99 % interval]", "largest n", "verdict"});
-  for (const auto& v : verdicts)
+  Table table({"claim", "statement", "theory", "true value lies in", "rests on", "sampler", "verdict"});
+  for (const auto& [finding, decision, sampler] : verdicts) {
+    const auto& [statement, basis] = finding;
+    const std::string relation =
+        statement.relation == Relation::equals ? "" : fmt::format("{} ", to_string(statement.relation));
     table.add(Row()
-                  .text(v.claim)
-                  .text(v.statement)
-                  .fixed(v.theory, 4)
-                  .text(fmt::format("{:.4f} [{:.4f}, {:.4f}]", v.estimate, v.lower, v.upper))
-                  .whole(v.largest_n)
-                  .text(to_string(v.outcome)));
+                  .text(statement.part)
+                  .text(statement.text)
+                  .text(fmt::format("{}{:.{}f}", relation, statement.theory, decimals_of(basis.interval)))
+                  .text(interval_text(basis))
+                  .text(rests_on(basis))
+                  .text(sampler_text(sampler))
+                  .text(to_string(decision)));
+  }
   return write_text(table);
-}
-
-std::string verdict_json(const std::vector<Verdict>& verdicts) {
-  auto all = nlohmann::ordered_json::array();
-  for (const auto& v : verdicts)
-    all.push_back({{"claim", v.claim},
-                   {"source", v.source},
-                   {"statement", v.statement},
-                   {"convention", v.convention},
-                   {"theory", v.theory},
-                   {"estimate", v.estimate},
-                   {"standard_error", v.standard_error},
-                   {"lower", v.lower},
-                   {"upper", v.upper},
-                   {"largest_n", v.largest_n},
-                   {"verdict", to_string(v.outcome)},
-                   {"method", v.method}});
-  return all.dump(2) + "\n";
 }
 
 namespace {
 
 /// A verdict of a committed table.
 struct Committed {
-  std::string claim, statement, outcome;
+  std::string claim, statement, decision;
 
   bool is_of(const Verdict& verdict) const {
-    return claim == verdict.claim && statement == verdict.statement;
+    const Statement& now = verdict.finding.statement;
+    return claim == now.part && statement == now.text;
   }
 };
 
@@ -92,16 +142,17 @@ std::vector<std::string> changed_verdicts(const std::vector<Verdict>& verdicts,
     if (now == verdicts.end()) {
       if (compared == Compared::all)
         changed.push_back(
-            fmt::format("{}: no verdict on '{}', was {}", old.claim, old.statement, old.outcome));
-    } else if (to_string(now->outcome) != old.outcome) {
-      changed.push_back(fmt::format("{}: {}, was {}", now->claim, to_string(now->outcome), old.outcome));
+            fmt::format("{}: no verdict on '{}', was {}", old.claim, old.statement, old.decision));
+    } else if (to_string(now->decision) != old.decision) {
+      changed.push_back(
+          fmt::format("{}: {}, was {}", now->finding.statement.part, to_string(now->decision), old.decision));
     }
   }
   if (compared == Compared::those_in_both) return changed;
   for (const auto& v : verdicts)
     if (std::ranges::none_of(committed, [&](const Committed& old) { return old.is_of(v); }))
-      changed.push_back(
-          fmt::format("{}: {} on '{}', was not there", v.claim, to_string(v.outcome), v.statement));
+      changed.push_back(fmt::format("{}: {} on '{}', was not there", v.finding.statement.part,
+                                    to_string(v.decision), v.finding.statement.text));
   return changed;
 }
 

@@ -9,14 +9,18 @@
 
 namespace ramify {
 
+/// "equals", "at most", "at least"
+std::string_view to_string(Relation relation);
+
+/// "1/log 2, the ratio of nodes (1.442695041); ..."
+std::string in_words(const std::vector<NamedValue>& values);
+
 /// verdicts.csv of a reproduction.
 Table verdict_table(const std::vector<Verdict>& verdicts);
 
-/// The same for a terminal: claim, statement, theory, estimate with its interval, largest n, verdict.
+/// The same for a terminal: claim, statement, theory, the interval, what it rests on, how the samplers stand
+/// beside their laws, verdict.
 std::string verdict_text(const std::vector<Verdict>& verdicts);
-
-/// verdict.json of one run folder.
-std::string verdict_json(const std::vector<Verdict>& verdicts);
 
 /// Which verdicts are held against committed ones: those of a run that was narrowed to some claims cannot
 /// have the others.

@@ -29,13 +29,20 @@ fs::path config_folder(const ReproduceArguments& options) {
               "name the folder with --configs");
 }
 
+/// The claims of --claim, else all.
+std::vector<const Claim*> asked_for(const ReproduceArguments& options) {
+  auto asked = find_claims(options.claim);
+  if (asked.empty())
+    for (const auto& claim : claims()) asked.push_back(&claim);
+  return asked;
+}
+
 std::vector<RunConfig> configs_of(const ReproduceArguments& options) {
   if (options.scale != "quick" && options.scale != "full")
     throw Error(fmt::format("--scale {}", options.scale), "there is no such scale",
                 "take quick (minutes) or full");
-  const auto asked_for = find_claims(options.claim);
-  auto configs =
-      serving(read_configs(config_files(config_folder(options)), options.flags.given_seed()), asked_for);
+  auto configs = serving(read_configs(config_files(config_folder(options)), options.flags.given_seed()),
+                         find_claims(options.claim));
   if (configs.empty())
     throw Error(fmt::format("nothing to run at scale {}", options.scale),
                 "no config serves what was asked for", "see: ramify list claims");
@@ -63,14 +70,15 @@ ExitCode reproduce(const ReproduceArguments& options, const Cancellation& cancel
   require_runnable(configs, options.flags);
   const fs::path out = options.flags.out;
   require_writable_folder(out / "plots");  // where the verdicts and their plots go in the end
-  const Evidence evidence = run_configs(configs, options.flags, cancellation);
-  write_verdicts(evidence, out);
-  const auto verdicts = evidence.verdicts();
-  emit(verdict_text(verdicts));
+  GrowthLimits limits;
+  const Ledger ledger = run_configs(configs, options.flags, limits, cancellation);
+  const auto judged = judge_claims(ledger, asked_for(options), options.flags, limits, cancellation);
+  write_verdicts(judged.verdicts, ledger, out);
+  emit(verdict_text(judged.verdicts));
   fmt::print(stderr, "verdicts: {0}/verdicts.csv\nplots:    {0}/plots\ntables:   {0}/<config>/summary.csv\n",
              out.string());
-  const ExitCode checks = report_checks(evidence);
-  return std::max(checks, compare_with_reference(options, verdicts));
+  return std::max(
+      {report_checks(ledger), delivered(judged), compare_with_reference(options, judged.verdicts)});
 }
 
 }  // namespace

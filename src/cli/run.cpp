@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "run_flags.hpp"
 #include "served_configs.hpp"
 #include "session.hpp"
@@ -21,12 +23,13 @@ ExitCode run(const RunArguments& options, const Cancellation& cancellation) {
     return ExitCode::done;
   }
   require_runnable(configs, options.flags);
-  const Evidence evidence = run_configs(configs, options.flags, cancellation);
-  const auto verdicts = evidence.verdicts();
-  if (!verdicts.empty()) emit(verdict_text(verdicts));
+  GrowthLimits limits;
+  const Ledger ledger = run_configs(configs, options.flags, limits, cancellation);
+  const auto judged = judge_claims(ledger, ledger.served(), options.flags, limits, cancellation);
+  if (!judged.verdicts.empty()) emit(verdict_text(judged.verdicts));
   for (const auto& config : configs)
     fmt::print(stderr, "tables and plots: {}\n", options.flags.folder_of(config).string());
-  return report_checks(evidence);
+  return std::max(report_checks(ledger), delivered(judged));
 }
 
 }  // namespace

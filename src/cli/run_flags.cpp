@@ -12,7 +12,7 @@ namespace ramify::cli {
 namespace {
 
 void run_config(const RunConfig& config, const RunFlags& flags, const ModelLooks& looks,
-                const Cancellation& cancellation, Evidence& evidence) {
+                const Cancellation& cancellation, Ledger& ledger, GrowthLimits& limits) {
   const auto folder = flags.folder_of(config);
   const RunOptions options{folder,
                            read_threads(flags.threads),
@@ -20,7 +20,7 @@ void run_config(const RunConfig& config, const RunFlags& flags, const ModelLooks
                            progress_line(folder.filename().string()),
                            [](const std::string& line) { fmt::print(stderr, "ramify: {}\n", line); },
                            looks};
-  const RunOutcome outcome = run_and_judge(config, options, cancellation, evidence);
+  const RunOutcome outcome = run_and_judge(config, options, cancellation, ledger, limits);
   clear_progress_line();
   if (outcome.finished) return;
   fmt::print(stderr,
@@ -67,27 +67,41 @@ void require_runnable(const std::vector<RunConfig>& configs, const RunFlags& fla
   for (const auto& config : configs) require_run_folder(flags.folder_of(config), flags.kept_cells());
 }
 
-Evidence run_configs(const std::vector<RunConfig>& configs, const RunFlags& flags,
-                     const Cancellation& cancellation) {
+Ledger run_configs(const std::vector<RunConfig>& configs, const RunFlags& flags, GrowthLimits& limits,
+                   const Cancellation& cancellation) {
   ModelLooks looks;
   for (const auto& config : configs) looks.add(config);
-  Evidence evidence(looks);
-  for (const auto& config : configs) run_config(config, flags, looks, cancellation, evidence);
-  return evidence;
+  Ledger ledger(looks);
+  for (const auto& config : configs) run_config(config, flags, looks, cancellation, ledger, limits);
+  return ledger;
 }
 
-ExitCode report_checks(const Evidence& evidence) {
-  const auto worst = evidence.worst_check();
-  if (!worst) return ExitCode::done;
+Ledger::Judged judge_claims(const Ledger& ledger, const std::vector<const Claim*>& claims,
+                            const RunFlags& flags, GrowthLimits& limits, const Cancellation& cancellation) {
+  if (claims.empty()) return {};
+  show_progress("verdicts");
+  Ledger::Judged judged = ledger.judged(claims, limits, read_threads(flags.threads), cancellation);
+  clear_progress_line();
+  for (const auto& failure : judged.failures) fmt::print(stderr, "ramify: {}\n", failure);
+  return judged;
+}
+
+ExitCode delivered(const Ledger::Judged& judged) {
+  return judged.failures.empty() ? ExitCode::done : ExitCode::check_failed;
+}
+
+ExitCode report_checks(const Ledger& ledger) {
+  const auto [check, where] = ledger.worst_check();
+  if (check.means == 0) return ExitCode::done;
   fmt::print(
       stderr,
       "{} sampled means held against exact finite-n laws: the worst is {:.1f} standard errors off ({})\n",
-      worst->checks, worst->z, worst->where);
-  if (!worst->is_alarming()) return ExitCode::done;
-  fmt::print(
-      stderr,
-      "ramify: a sampler disagrees with its exact law (more than {} standard errors): please report it\n",
-      Evidence::WorstCheck::alarming);
+      check.means, check.worst_z, where);
+  if (!check.failed()) return ExitCode::done;
+  fmt::print(stderr,
+             "ramify: a sampler disagrees with its exact law (more than {:.1f} standard errors): please "
+             "report it\n",
+             check.allowed_z);
   return ExitCode::check_failed;
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "evidence.hpp"
+#include "ledger.hpp"
 #include "program.hpp"
 
 #include "ramify/config/run_config.hpp"
@@ -40,10 +40,17 @@ void require_runnable(const std::vector<RunConfig>& configs, const RunFlags& fla
 
 /// Runs the configs, which are runnable, one after the other. Throws Interrupted, after saying
 /// where the complete cells lie, when stopped.
-Evidence run_configs(const std::vector<RunConfig>& configs, const RunFlags& flags,
-                     const Cancellation& cancellation);
+Ledger run_configs(const std::vector<RunConfig>& configs, const RunFlags& flags, GrowthLimits& limits,
+                   const Cancellation& cancellation);
+
+/// The verdicts on the claims. What could not be judged is said on standard error, part by part.
+Ledger::Judged judge_claims(const Ledger& ledger, const std::vector<const Claim*>& claims,
+                            const RunFlags& flags, GrowthLimits& limits, const Cancellation& cancellation);
+
+/// check_failed where a part that was declared has no verdict.
+ExitCode delivered(const Ledger::Judged& judged);
 
 /// Says how far the sampled means lie from their exact values; check_failed where it is too far.
-ExitCode report_checks(const Evidence& evidence);
+ExitCode report_checks(const Ledger& ledger);
 
 }  // namespace ramify::cli

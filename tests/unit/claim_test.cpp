@@ -1,4 +1,5 @@
-// The verdict rules on made-up cells: what they must reproduce, refute and leave open.
+// Claims and their ledger, on made-up cells: what configs must bring, which parts are judged, how samplers
+// are held against laws, which changes of verdicts are seen.
 #include "claim.hpp"
 
 #include <algorithm>
@@ -7,7 +8,7 @@
 #include <fstream>
 #include <set>
 
-#include "evidence.hpp"
+#include "ledger.hpp"
 #include "served_configs.hpp"
 #include "support/columns.hpp"
 #include "support/error_of.hpp"
@@ -21,66 +22,6 @@
 
 namespace ramify {
 namespace {
-
-/// Cells of a model in which the mean of one column is slope * log n + 0.2, with a small error.
-ModelCells line_of(const std::string& model, const std::string& column, double slope,
-                   double variance = 0.16) {
-  ModelCells line{Model::parse(model), {}};
-  for (double n = 300; n < 1e6; n *= 3.0438278618) {
-    ColumnSummary summary{test::column(column)};
-    summary.mean = slope * std::log(n) + 0.2;
-    summary.variance = variance;
-    summary.standard_error = 0.002;
-    line.cells.push_back(
-        {line.cells.size() + 1, {model, static_cast<Size>(n), 40000, {summary}, {}}, {std::nullopt}});
-  }
-  return line;
-}
-
-Outcome outcome_of(const std::vector<Verdict>& verdicts, const std::string& claim) {
-  for (const auto& verdict : verdicts)
-    if (verdict.claim == claim) return verdict.outcome;
-  ADD_FAILURE() << claim << " was not judged";
-  return Outcome::inconclusive;
-}
-
-TEST(BstOrderClaim, TellsTheTwoConstantsApart) {
-  const Claim claim = bst_order_claim();
-  const auto truth = claim.judge({line_of("bst", "strahler", 1 / std::log(3.0438278618))});
-  EXPECT_EQ(outcome_of(truth, "C20.1"), Outcome::reproduced);
-  EXPECT_EQ(outcome_of(truth, "C20.2"), Outcome::refuted);
-  const auto thesis = claim.judge({line_of("bst", "strahler", 1 / std::log(3.0))});
-  EXPECT_NE(outcome_of(thesis, "C20.2"), Outcome::refuted);
-  const auto steeper = claim.judge({line_of("bst", "strahler", 1 / std::log(2.8))});
-  EXPECT_EQ(outcome_of(steeper, "C20.1"), Outcome::refuted);
-}
-
-TEST(DepthClaim, RejectsTheDepthOfAnotherModel) {
-  const Claim claim = depth_claim();
-  EXPECT_EQ(outcome_of(claim.judge({line_of("bst", "depth", 2)}), "C6.1"), Outcome::reproduced);
-  EXPECT_EQ(outcome_of(claim.judge({line_of("bst", "depth", 1.7142857)}), "C6.1"), Outcome::refuted)
-      << "beta(2,2)";
-}
-
-TEST(HeightClaim, IsLeftOpenBySlopesThatFallShort) {
-  EXPECT_EQ(outcome_of(height_claim().judge({line_of("bst", "height", 4.1)}), "C7.1"), Outcome::inconclusive);
-}
-
-TEST(CatalanClaim, SeesAGrowingVariance) {
-  auto catalan = line_of("catalan", "strahler", 1 / std::log(4.0), 0.18);
-  EXPECT_EQ(outcome_of(catalan_order_claim().judge({catalan}), "C22.2"), Outcome::reproduced);
-  for (auto& cell : catalan.cells)
-    cell.result.columns[0].variance = 0.05 * std::log(static_cast<double>(cell.result.n));
-  EXPECT_EQ(outcome_of(catalan_order_claim().judge({catalan}), "C22.2"), Outcome::refuted);
-}
-
-TEST(CatalanClaim, WithoutAnySpreadIsLeftOpen) {
-  auto catalan = line_of("catalan", "strahler", 1 / std::log(4.0), 0);
-  for (auto& cell : catalan.cells) cell.result.replicates = 10;
-  const auto verdicts = catalan_order_claim().judge({catalan});
-  EXPECT_EQ(outcome_of(verdicts, "C22.2"), Outcome::inconclusive);
-  for (const auto& verdict : verdicts) EXPECT_TRUE(std::isfinite(verdict.upper)) << verdict.claim;
-}
 
 TEST(Claims, AreFoundByNumberAndRefusedOtherwise) {
   EXPECT_EQ(find_claims("C6 C7").size(), 2u);
@@ -96,17 +37,6 @@ TEST(Claims, EveryOneHasAConfigWithWhatItNeedsAtBothScales) {
       for (const Claim* claim : served_claims(read_run_config(entry.path()))) served.insert(claim->id);
     for (const auto& claim : claims()) EXPECT_TRUE(served.contains(claim.id)) << claim.id << ' ' << scale;
   }
-}
-
-TEST(PatriciaClaims, NumberTheModelsOfTheConfigsInTheirOrder) {
-  const auto verdicts = patricia_order_claim().judge(
-      {line_of("patricia(1/2.74)", "strahler", 0.99), line_of("patricia(0.4)", "strahler", 1.09)});
-  ASSERT_EQ(verdicts.size(), 2u);
-  EXPECT_EQ(verdicts[0].claim, "C13.1");
-  EXPECT_EQ(verdicts[0].statement, "S_n ~ log(n)/log(1/p), patricia(1/2.74)");
-  EXPECT_EQ(verdicts[1].claim, "C13.2");
-  EXPECT_NEAR(verdicts[1].theory, 1 / std::log(2.5), 1e-12);
-  EXPECT_EQ(verdicts[1].outcome, Outcome::reproduced);
 }
 
 /// A config with the needs of its claim but for what is put in their place.
@@ -125,12 +55,13 @@ std::string config_refusal(const RunConfig& config) {
 TEST(ServedClaims, AreThoseOfWhichNothingIsMissing) {
   EXPECT_EQ(config_refusal(config_of("C20", "bst", "strahler")), "");
   EXPECT_EQ(config_refusal(config_of("C20", "bst", "height")),
-            "c.toml: claim C20 without 'strahler' (it is judged by that statistic): add it to statistics");
+            "c.toml: claim C20 without 'strahler' (it is of that statistic): add it to statistics");
   EXPECT_EQ(config_refusal(config_of("C20", "catalan", "strahler")),
-            "c.toml: claim C20 with model catalan (it speaks of random binary search trees, bst): take the "
+            "c.toml: claim C20 with model catalan (its parts are of bst): take the "
             "model, or the claim, out of the config");
-  EXPECT_EQ(config_refusal(config_of("C22", "catalan", "strahler", 3)),
-            "c.toml: claim C22 with 3 sizes of catalan (it is judged over 4 or more): add sizes to n");
+  EXPECT_EQ(
+      config_refusal(config_of("C22", "catalan", "strahler", 3)),
+      "c.toml: claim C22 with 3 sizes of catalan (4 or more are held against the laws): add sizes to n");
   EXPECT_EQ(
       config_refusal(config_of("C22", "catalan", "strahler", 4, 9)),
       "c.toml: claim C22 with 9 replicate(s) at n = 10 (the error of a mean is taken from the spread of its "
@@ -141,8 +72,8 @@ TEST(ServedClaims, AreThoseOfWhichNothingIsMissing) {
             "c.toml: claim C7 with model");
 }
 
-/// The cells of a config as a run would have them.
-std::vector<CheckedCell> cells_of(const RunConfig& config) {
+/// The cells of a config as a run would have them, all as many standard errors off.
+std::vector<CheckedCell> cells_of(const RunConfig& config, double z) {
   std::vector<CheckedCell> cells;
   for (const auto& group : config.groups)
     for (const auto& model : group.models)
@@ -150,95 +81,138 @@ std::vector<CheckedCell> cells_of(const RunConfig& config) {
         ColumnSummary summary{*config.statistics.chosen().front()};
         summary.mean = 2 * std::log(static_cast<double>(n));
         summary.standard_error = 0.01;
-        cells.push_back({cells.size() + 1, {model.text(), n, 100, {summary}, {}}, {std::nullopt}});
+        cells.push_back(
+            {cells.size() + 1, {model.text(), n, 100, {summary}, {}}, {ExactCheck{summary.mean, z}}});
       }
   return cells;
 }
 
-TEST(Evidence, OfTwoConfigsIsThatOfOne) {
-  const RunConfig small = config_of("C6", "bst", "depth"), large = config_of("C6", "beta(1,1)", "depth", 8);
-  Evidence evidence;
-  evidence.add(large, {cells_of(large)});
-  evidence.add(small, {cells_of(small)});
-  EXPECT_EQ(evidence.verdicts().size(), 2u);
-  EXPECT_EQ(evidence.verdicts().front().statement, "E D_n ~ log(n)/mu, beta(1,1)");
+TEST(Ledger, OfTwoConfigsHasTheCellsOfBoth) {
+  const RunConfig small = config_of("C6", "bst", "depth"), large = config_of("C6", "beta(10,10)", "depth", 8);
+  Ledger ledger;
+  ledger.add(large, {cells_of(large, 0.5)});
+  ledger.add(small, {cells_of(small, -1.5)});
+  ASSERT_EQ(ledger.served().size(), 1u);
+  EXPECT_EQ(ledger.served().front()->id, "C6");
+  EXPECT_EQ(ledger.worst_check().check.means, 12u);
+  EXPECT_EQ(ledger.worst_check().check.worst_z, 1.5);
 }
 
-const std::filesystem::path reference = std::filesystem::path(RAMIFY_SOURCE_DIR) / "results/reference/quick";
+/// A claim of one part, with a basis of one's own.
+Claim claim_of(std::function<Basis(const Evidence&)> basis) {
+  Statement statement{"C6.1", "E D_n ~ 2 log n", "nobody",    "nodes", Relation::equals, "2",
+                      2,      {{"1", 1}},        std::nullopt};
+  return {
+      "C6", "a claim", "nobody", {{statement, Model::parse("bst"), &statistic::depth, std::move(basis)}}, {}};
+}
 
-/// The cells of a committed table, to the ten digits that it prints.
-std::vector<CheckedCell> committed_cells(const RunConfig& config) {
-  const CsvData table =
-      CsvData::read(reference / std::filesystem::path(config.path).stem().replace_extension(".csv"));
-  std::vector<CheckedCell> cells;
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    if (cells.size() < table.count(row, "cell"))
-      cells.push_back({table.count(row, "cell"),
-                       {std::string(table.at(row, "model")),
-                        table.count(row, "n"),
-                        table.count(row, "replicates"),
-                        {},
-                        {}},
-                       {}});
-    ColumnSummary column{test::column(table.at(row, "statistic"))};
-    column.mean = table.real(row, "mean");
-    column.standard_error = table.real(row, "standard_error");
-    column.variance = table.real(row, "variance");
-    cells.back().result.columns.push_back(column);
-    std::optional<ExactCheck> check;
-    if (!table.at(row, "z").empty()) check = {table.real(row, "exact_mean"), table.real(row, "z")};
-    cells.back().checks.push_back(check);
+Basis found(double lower, double estimate, double upper) {
+  return {EvidenceKind::limit, Standing::extrapolated, estimate, {lower, upper}, 1e9, "made up", "nothing"};
+}
+
+Ledger::Judged judged(const Ledger& ledger, const Claim& claim) {
+  GrowthLimits limits;
+  return ledger.judged({&claim}, limits, 1, {});
+}
+
+TEST(Ledger, JudgesAPartByItsBasisAndTheSamplerByItsCells) {
+  const RunConfig config = config_of("C6", "bst", "depth");
+  Ledger ledger;
+  ledger.add(config, {cells_of(config, -3)});
+  const auto all = judged(ledger, claim_of([](const Evidence&) { return found(1.9, 2, 2.1); }));
+  ASSERT_EQ(all.verdicts.size(), 1u);
+  EXPECT_EQ(all.verdicts.front().decision, Decision::reproduced);
+  EXPECT_EQ(all.verdicts.front().sampler.means, 4u);
+  EXPECT_EQ(all.verdicts.front().sampler.worst_z, 3);
+  EXPECT_EQ(all.verdicts.front().sampler.word(), "ok");
+}
+
+TEST(Ledger, ASamplerBesideItsLawFailsWhateverTheClaim) {
+  const RunConfig config = config_of("C6", "bst", "depth");
+  Ledger ledger;
+  ledger.add(config, {cells_of(config, 5.2)});
+  EXPECT_TRUE(ledger.worst_check().check.failed()) << "of four means none may lie 5.03 off";
+  const auto all = judged(ledger, claim_of([](const Evidence&) { return found(1.9, 2, 2.1); }));
+  EXPECT_EQ(all.verdicts.front().sampler.word(), "failed");
+  EXPECT_EQ(all.verdicts.front().decision, Decision::reproduced);
+}
+
+TEST(Ledger, APartThatCannotBeJudgedIsNamed) {
+  const auto thrown =
+      judged(Ledger(), claim_of([](const Evidence&) -> Basis { throw Error("no law", "why", "go"); }));
+  EXPECT_TRUE(thrown.verdicts.empty());
+  EXPECT_EQ(thrown.failures, std::vector<std::string>{"C6.1 cannot be judged: no law (why): go"});
+  const auto no_number =
+      judged(Ledger(), claim_of([](const Evidence&) { return found(1, std::nan(""), 2); }));
+  ASSERT_EQ(no_number.failures.size(), 1u);
+  EXPECT_EQ(no_number.failures.front().substr(0, 22), "C6.1 cannot be judged:");
+}
+
+TEST(Claims, DeclareTheirPartsWithRivalsThatAreNotTheirTheory) {
+  std::set<std::string> names;
+  for (const auto& claim : claims()) {
+    EXPECT_FALSE(claim.parts.empty()) << claim.id;
+    for (const auto& part : claim.parts) {
+      const Statement& statement = part.statement;
+      EXPECT_TRUE(statement.part.starts_with(std::string(claim.id) + ".")) << statement.part;
+      EXPECT_TRUE(names.insert(statement.part).second) << statement.part;
+      for (const auto& rival : statement.rivals) EXPECT_NE(rival.value, statement.theory) << statement.part;
+    }
   }
-  return cells;
+  const CsvData listed = CsvData::parse(write_csv(claim_table()), "list claims");
+  EXPECT_EQ(listed.rows(), names.size());
 }
 
-/// The method of a verdict without the checks against exact means, whose one digit more digits decide.
-std::string_view without_checks(std::string_view method) {
-  return method.substr(0, method.find("; sampled means"));
+/// Three verdicts, the second refuted.
+std::vector<Verdict> some_verdicts() {
+  std::vector<Verdict> verdicts;
+  for (const char* part : {"C20.1", "C20.2", "C20.3"}) {
+    Statement statement{part, "a sentence", "nobody", "none", Relation::equals, "2", 2, {}, std::nullopt};
+    verdicts.push_back({{statement, found(1.9, 2, 2.1)}, Decision::reproduced, {}});
+  }
+  verdicts[1].decision = Decision::refuted;
+  return verdicts;
 }
 
-TEST(Verdicts, OfTheCommittedCellsAreTheCommittedOnes) {
-  Evidence evidence;
-  for (const auto& file : config_files(std::string(RAMIFY_SOURCE_DIR) + "/configs/quick")) {
-    const RunConfig config = read_run_config(file);
-    if (config.claim) evidence.add(config, {committed_cells(config)});
-  }
-  const CsvData now = CsvData::parse(write_csv(verdict_table(evidence.verdicts())), "now");
-  const CsvData committed = CsvData::read(reference / "verdicts.csv");
-  ASSERT_EQ(now.rows(), committed.rows());
-  for (std::size_t row = 0; row < now.rows(); ++row) {
-    SCOPED_TRACE(committed.at(row, "claim"));
-    for (const char* column :
-         {"claim", "source", "statement", "convention", "theory", "largest_n", "verdict"})
-      EXPECT_EQ(now.at(row, column), committed.at(row, column));
-    EXPECT_EQ(without_checks(now.at(row, "method")), without_checks(committed.at(row, "method")));
-    for (const char* column : {"estimate", "standard_error", "lower", "upper"})
-      EXPECT_NEAR(now.real(row, column), committed.real(row, column), 1e-7) << column;
-  }
-}
+/// A committed table of them.
+class CommittedVerdicts {
+ public:
+  CommittedVerdicts() { std::ofstream(file) << write_csv(verdict_table(some_verdicts())); }
+  ~CommittedVerdicts() { std::filesystem::remove(file); }
+  CommittedVerdicts(const CommittedVerdicts&) = delete;
+  CommittedVerdicts& operator=(const CommittedVerdicts&) = delete;
+  CommittedVerdicts(CommittedVerdicts&&) = delete;
+  CommittedVerdicts& operator=(CommittedVerdicts&&) = delete;
+
+  const std::filesystem::path file =
+      std::filesystem::temp_directory_path() /
+      fmt::format("ramify_verdicts_test_{}.csv", static_cast<const void*>(this));
+};
 
 TEST(Verdicts, AChangeAgainstTheCommittedTableIsSeen) {
-  auto verdicts = bst_order_claim().judge({line_of("bst", "strahler", 1 / std::log(3.0438278618))});
-  const auto file = std::filesystem::temp_directory_path() / "ramify_verdicts_test.csv";
-  std::ofstream(file) << write_csv(verdict_table(verdicts));
-  EXPECT_TRUE(changed_verdicts(verdicts, file, Compared::all).empty());
-  verdicts.front().outcome = Outcome::inconclusive;
-  EXPECT_EQ(changed_verdicts(verdicts, file, Compared::all),
+  const CommittedVerdicts committed;
+  auto verdicts = some_verdicts();
+  EXPECT_TRUE(changed_verdicts(verdicts, committed.file, Compared::all).empty());
+  verdicts.front().decision = Decision::inconclusive;
+  EXPECT_EQ(changed_verdicts(verdicts, committed.file, Compared::all),
             std::vector<std::string>{"C20.1: inconclusive, was reproduced"});
-  std::filesystem::remove(file);
 }
 
 TEST(Verdicts, OneThatIsMissingOrNewIsSeenUnlessTheRunWasNarrowed) {
-  auto verdicts = bst_order_claim().judge({line_of("bst", "strahler", 1 / std::log(3.0438278618))});
-  const auto file = std::filesystem::temp_directory_path() / "ramify_missing_verdicts_test.csv";
-  std::ofstream(file) << write_csv(verdict_table(verdicts));
-  verdicts.front().claim = "C20.4";
-  EXPECT_EQ(changed_verdicts(verdicts, file, Compared::all),
-            (std::vector<std::string>{
-                "C20.1: no verdict on 'P{S_n >= (1+eps) log_3 n} -> 0, bst', was reproduced",
-                "C20.4: reproduced on 'P{S_n >= (1+eps) log_3 n} -> 0, bst', was not there"}));
-  EXPECT_TRUE(changed_verdicts(verdicts, file, Compared::those_in_both).empty());
-  std::filesystem::remove(file);
+  const CommittedVerdicts committed;
+  auto verdicts = some_verdicts();
+  verdicts.front().finding.statement.part = "C20.4";
+  EXPECT_EQ(changed_verdicts(verdicts, committed.file, Compared::all),
+            (std::vector<std::string>{"C20.1: no verdict on 'a sentence', was reproduced",
+                                      "C20.4: reproduced on 'a sentence', was not there"}));
+  EXPECT_TRUE(changed_verdicts(verdicts, committed.file, Compared::those_in_both).empty());
+}
+
+TEST(Verdicts, AnOpenOneSaysWhatWouldDecideIt) {
+  auto verdicts = some_verdicts();
+  verdicts.front().decision = Decision::inconclusive;
+  EXPECT_EQ(std::get<std::string>(verdict_table(verdicts).at(0, "method")),
+            "made up; what would decide it: nothing");
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
+// The one rule, on made-up intervals: what it must reproduce, refute and leave open.
 #include <cmath>
-#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -8,56 +8,50 @@
 namespace ramify {
 namespace {
 
-/// Means c log n + offset + bend / log n at geometric sizes.
-std::vector<SizedMean> means(double c, double bend, double error) {
-  std::vector<SizedMean> points;
-  for (double n = 100; n < 2e6; n *= 3)
-    points.push_back({n, c * std::log(n) + 0.7 + bend / std::log(n), error});
-  return points;
+Statement statement(Relation relation, double theory, std::vector<NamedValue> rivals = {}) {
+  return {"C0.1", "x", "nobody", "none", relation, "x", theory, std::move(rivals), std::nullopt};
 }
 
-TEST(Slope, FindsTheSlopeOfALineWhateverItsHeight) {
-  const Slope slope = fit_slope(means(2, 0, 0.01));
-  EXPECT_NEAR(slope.value, 2, 1e-12);
-  EXPECT_DOUBLE_EQ(slope.smallest_n, 100);
+TEST(Judge, ReproducesWhatContainsTheTheoryAndExcludesTheRivals) {
+  const Statement two = statement(Relation::equals, 2, {{"a rival", 2.1}, {"another", 1}});
+  EXPECT_EQ(judge(two, {1.95, 2.05}), Decision::reproduced);
+  EXPECT_EQ(judge(two, {2, 2}), Decision::reproduced);
+  EXPECT_EQ(judge(two, {1.9, 2.1}), Decision::inconclusive) << "the rival is possible too";
+  EXPECT_EQ(judge(two, {-HUGE_VAL, HUGE_VAL}), Decision::inconclusive);
 }
 
-TEST(Slope, StandardErrorOfTwoPointsIsElementary) {
-  const Slope slope = fit_slope({{1, 5, 0.3}, {std::exp(2.0), 9, 0.4}});
-  EXPECT_NEAR(slope.value, 2, 1e-12);
-  EXPECT_NEAR(slope.standard_error, 0.5 / 2, 1e-12);
+TEST(Judge, RefutesWhatExcludesTheTheoryHoweverNearItIs) {
+  EXPECT_EQ(judge(statement(Relation::equals, 2), {2.0000001, 2.0000002}), Decision::refuted);
+  EXPECT_EQ(judge(statement(Relation::equals, 2), {1.9, 1.9999999}), Decision::refuted);
 }
 
-TEST(Slope, WeightsPointsByTheirErrors) {
-  const Slope slope = fit_slope({{1, 0, 0.001}, {std::exp(1.0), 1, 0.001}, {std::exp(2.0), 50, 1000}});
-  EXPECT_NEAR(slope.value, 1, 1e-3);
+TEST(Judge, OfABoundTheWholeIntervalDecides) {
+  EXPECT_EQ(judge(statement(Relation::at_most, 2), {1, 2}), Decision::reproduced);
+  EXPECT_EQ(judge(statement(Relation::at_most, 2), {1.9, 2.1}), Decision::inconclusive);
+  EXPECT_EQ(judge(statement(Relation::at_most, 2), {2.1, 3}), Decision::refuted);
+  EXPECT_EQ(judge(statement(Relation::at_least, 2), {2, 3}), Decision::reproduced);
+  EXPECT_EQ(judge(statement(Relation::at_least, 2), {1, 1.9}), Decision::refuted);
 }
 
-TEST(Growth, AStraightLineHasNoDrift) {
-  EXPECT_NEAR(growth_constant(means(2, 0, 0.01)).drift, 0, 1e-10);
+TEST(Judge, NeverReproducesARivalOfWhatItReproduces) {
+  const Statement two = statement(Relation::equals, 2, {{"a rival", 2.1}, {"another", 1}});
+  for (std::size_t i = 0; i < two.rivals.size(); ++i) {
+    EXPECT_EQ(with_rival(two, i).rivals[i].value, 2);
+    EXPECT_EQ(judge(with_rival(two, i), {1.95, 2.05}), Decision::refuted);
+  }
 }
 
-TEST(Growth, ABentOneStretchesTheIntervalTheWayItIsGoing) {
-  const GrowthConstant growth = growth_constant(means(2, 5, 1e-6));
-  EXPECT_GT(growth.drift, 0);
-  const Interval interval = growth_interval(growth, Approach::drifts);
-  EXPECT_NEAR(interval.upper - growth.slope.value, growth.drift, 1e-4);
-  EXPECT_NEAR(growth.slope.value - interval.lower, 0, 1e-4);
+TEST(Interval, SimultaneousOnesAreWider) {
+  EXPECT_NEAR(simultaneous_sigmas(0.01, 1), 2.5758293035489, 1e-12);
+  EXPECT_NEAR(simultaneous_sigmas(0.01, 0), 2.5758293035489, 1e-12);
+  EXPECT_NEAR(simultaneous_sigmas(0.05, 5), 2.5758293035489, 1e-12);
+  EXPECT_NEAR(simultaneous_sigmas(1e-6, 1000), 6.10941, 1e-5) << "two-sided 1e-9";
 }
 
-TEST(Growth, NoiseIsNotTakenForDriftWhereTheLawSettles) {
-  const GrowthConstant growth{{2, 0.1, 100, 1e6}, 0.2, 0.15};
-  EXPECT_DOUBLE_EQ(growth_interval(growth, Approach::settles).upper, 2 + 0.1 * interval_sigmas);
-  EXPECT_DOUBLE_EQ(growth_interval(growth, Approach::drifts).upper, 2.2 + 0.1 * interval_sigmas);
-}
-
-TEST(Judge, HasThreeStates) {
-  EXPECT_EQ(judge({1.99, 2.01}, 2, 0.02), Outcome::reproduced);
-  EXPECT_EQ(judge({1.90, 2.01}, 2, 0.02), Outcome::inconclusive);
-  EXPECT_EQ(judge({1.90, 1.97}, 2, 0.02), Outcome::refuted);
-  EXPECT_EQ(judge({2.03, 2.10}, 2, 0.02), Outcome::refuted);
-  EXPECT_EQ(judge({1.00, 3.00}, 2, 0.02), Outcome::inconclusive)
-      << "a wide interval around the truth is not a pass";
+TEST(SamplerCheck, FailsBeyondWhatAllMeansTogetherAllow) {
+  EXPECT_EQ((SamplerCheck{0, 0, 5}).word(), "not sampled");
+  EXPECT_EQ((SamplerCheck{3, 4.9, 5}).word(), "ok");
+  EXPECT_EQ((SamplerCheck{3, 5.1, 5}).word(), "failed");
 }
 
 }  // namespace

@@ -1,28 +1,49 @@
 #include "ramify/compare/judge.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
 namespace ramify {
+namespace {
 
-Interval sampling_interval(double estimate, double standard_error) {
-  return {estimate - interval_sigmas * standard_error, estimate + interval_sigmas * standard_error};
+bool keeps(const Statement& statement, const Interval& interval) {
+  switch (statement.relation) {
+    case Relation::at_most:
+      return interval.upper <= statement.theory;
+    case Relation::at_least:
+      return interval.lower >= statement.theory;
+    case Relation::equals:
+      break;
+  }
+  return interval.contains(statement.theory);
 }
 
-Interval growth_interval(const GrowthConstant& growth, Approach approach) {
-  const double noise = approach == Approach::settles ? interval_sigmas * growth.drift_error : 0;
-  const double drift = std::copysign(std::max(0.0, std::fabs(growth.drift) - noise), growth.drift);
-  Interval interval = sampling_interval(growth.slope.value, growth.slope.standard_error);
-  interval.lower += std::min(0.0, drift);
-  interval.upper += std::max(0.0, drift);
-  return interval;
+bool breaks(const Statement& statement, const Interval& interval) {
+  switch (statement.relation) {
+    case Relation::at_most:
+      return interval.lower > statement.theory;
+    case Relation::at_least:
+      return interval.upper < statement.theory;
+    case Relation::equals:
+      break;
+  }
+  return interval.lower > statement.theory || interval.upper < statement.theory;
 }
 
-Outcome judge(const Interval& interval, double theory, double tolerance) {
-  const Interval band{theory - tolerance, theory + tolerance};
-  if (interval.lower >= band.lower && interval.upper <= band.upper) return Outcome::reproduced;
-  if (interval.upper < band.lower || interval.lower > band.upper) return Outcome::refuted;
-  return Outcome::inconclusive;
+}  // namespace
+
+Decision judge(const Statement& statement, const Interval& interval) {
+  if (breaks(statement, interval)) return Decision::refuted;
+  const auto is_possible = [&](const NamedValue& rival) { return interval.contains(rival.value); };
+  const bool excludes_rivals = std::ranges::none_of(statement.rivals, is_possible);
+  return keeps(statement, interval) && excludes_rivals ? Decision::reproduced : Decision::inconclusive;
+}
+
+Statement with_rival(const Statement& statement, std::size_t rival) {
+  Statement other = statement;
+  std::swap(other.theory, other.rivals.at(rival).value);
+  std::swap(other.formula, other.rivals.at(rival).name);
+  return other;
 }
 
 }  // namespace ramify

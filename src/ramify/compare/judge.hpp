@@ -1,35 +1,18 @@
 #pragma once
 
+#include "ramify/compare/finding.hpp"
 #include "ramify/compare/verdict.hpp"
-#include "ramify/estimate/slope.hpp"
 
 namespace ramify {
 
-/// A closed interval.
-struct Interval {
-  double lower;
-  double upper;
-};
+/// The one rule. Of a number that the statement gives: `reproduced` where the interval contains the theory
+/// and excludes every rival, `refuted` where it excludes the theory. Of a bound: `reproduced` where the whole
+/// interval keeps it (and excludes the rivals), `refuted` where the whole interval breaks it. Else
+/// `inconclusive`. There is no tolerance.
+Decision judge(const Statement& statement, const Interval& interval);
 
-/// Two-sided 99 % of a normal law: the tables have some twenty rows.
-inline constexpr double interval_sigmas = 2.5758293035489004;
-
-/// estimate +- 2.576 standard errors.
-Interval sampling_interval(double estimate, double standard_error);
-
-/// How the mean of a statistic approaches its growth law.
-enum class Approach {
-  settles,  ///< mean = c log n + constant + O(1/n), at phase-matched sizes where it oscillates: slopes decide
-  drifts,   ///< a slower term is left (log log n, drifting thresholds): a slope off the band decides nothing
-};
-
-/// The sampling interval of the slope, stretched by the drift in the direction the slope is moving: a slope
-/// that changed by d over a quarter of the grid is not believed to stay put beyond it. Where the law says
-/// that the slope settles, only the part of d that sampling error does not explain counts.
-Interval growth_interval(const GrowthConstant& growth, Approach approach);
-
-/// reproduced where the interval lies inside theory +- tolerance, refuted where it lies wholly outside, else
-/// inconclusive. A pass is thus an interval inside a stated tolerance, never a failure to reject.
-Outcome judge(const Interval& interval, double theory, double tolerance);
+/// The statement with a rival in the place of its theory, and the theory among the rivals: what must never be
+/// reproduced where the statement is.
+Statement with_rival(const Statement& statement, std::size_t rival);
 
 }  // namespace ramify

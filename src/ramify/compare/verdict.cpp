@@ -2,16 +2,21 @@
 
 namespace ramify {
 
-std::string_view to_string(Outcome outcome) {
-  switch (outcome) {
-    case Outcome::reproduced:
+std::string_view to_string(Decision decision) {
+  switch (decision) {
+    case Decision::reproduced:
       return "reproduced";
-    case Outcome::refuted:
+    case Decision::refuted:
       return "refuted";
-    case Outcome::inconclusive:
+    case Decision::inconclusive:
       break;
   }
   return "inconclusive";
+}
+
+std::string_view SamplerCheck::word() const {
+  if (means == 0) return "not sampled";
+  return failed() ? "failed" : "ok";
 }
 
 }  // namespace ramify

@@ -1,29 +1,35 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <string>
 #include <string_view>
+
+#include "ramify/compare/finding.hpp"
 
 namespace ramify {
 
-/// What the experiment says of a claim. Undecided is an answer, not a failure.
-enum class Outcome { reproduced, refuted, inconclusive };
+/// What the evidence says of a statement. Undecided is an answer, not a failure.
+enum class Decision : std::uint8_t { reproduced, refuted, inconclusive };
 
-std::string_view to_string(Outcome outcome);
+std::string_view to_string(Decision decision);
+
+/// Sampled means held against exact ones at the same n: whether the sampler does what the law says, which is
+/// another question than whether the claim is true.
+struct SamplerCheck {
+  std::size_t means = 0;
+  double worst_z = 0;    ///< the largest |z|
+  double allowed_z = 0;  ///< of all means of the ledger together one in a million ledgers goes beyond
+
+  bool failed() const { return means > 0 && worst_z > allowed_z; }
+  /// "ok", "failed", or "not sampled".
+  std::string_view word() const;
+};
 
 /// One row of the verdict table.
 struct Verdict {
-  std::string claim;   ///< "C20.2"
-  std::string source;  ///< where it is claimed
-  std::string statement;
-  std::string convention;  ///< what was counted, and from where
-  double theory;           ///< the claimed value
-  double estimate;
-  double standard_error;  ///< sampling error alone
-  double lower, upper;    ///< 99 % interval, widened by what finite-size bias is left
-  std::uint64_t largest_n;
-  Outcome outcome;
-  std::string method;  ///< estimator, tolerance, and why an outcome is inconclusive
+  Finding finding;
+  Decision decision;
+  SamplerCheck sampler;
 };
 
 }  // namespace ramify
