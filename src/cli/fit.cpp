@@ -122,7 +122,7 @@ ModelFitOptions model_options(const FitArguments& options) {
                 "a tree, or a table of counts, says its n itself: tips less one",
                 "leave it out, or fit the ratio with --observable ratio");
   ModelFitOptions fit;
-  fit.families = chosen_families(options.model.empty() ? "all" : options.model);
+  fit.families = chosen_families(options.model.empty() ? "all" : options.model, all_families());
   fit.bootstrap_trees = read_bootstrap(options.bootstrap);
   fit.seed = read_count("--seed", options.seed);
   fit.threads = read_threads(options.threads);
@@ -137,12 +137,14 @@ ModelFitOptions model_options(const FitArguments& options) {
   return fit;
 }
 
-/// The trees of a file, binary.
+/// The trees of a file, binary unless no family is.
 std::vector<RecordedTree> trees_of(const FitArguments& options, const std::string& text,
-                                   const std::string& file) {
+                                   const std::string& file, const ModelFitOptions& how) {
   Remarks remarks;
   auto trees = read_trees(text, file, std::nullopt, {options.root, 0}, remarks);
   for (const auto& line : remarks.lines(file)) fmt::print(stderr, "ramify: warning: {}\n", line);
+  if (std::ranges::none_of(how.families, [](const Family* family) { return family->model->is_binary; }))
+    return trees;
   return binary_trees(
       std::move(trees), file,
       {options.resolve, read_count("--seed", options.seed), "trees of all families are binary"});
@@ -152,9 +154,9 @@ std::vector<FittedDatum> fit_file(const FitArguments& options, Observable observ
                                   const std::string& file, const ModelFitOptions& how,
                                   const Cancellation& cancellation) {
   if (observable == Observable::tree)
-    return fit_whole_trees(trees_of(options, text, file), file, options.pooled, how, cancellation);
+    return fit_whole_trees(trees_of(options, text, file, how), file, options.pooled, how, cancellation);
   if (content_of(text) == Observable::tree)
-    return fit_order_counts(order_counts_of(trees_of(options, text, file)), file, how, cancellation);
+    return fit_order_counts(order_counts_of(trees_of(options, text, file, how)), file, how, cancellation);
   const auto tables = read_order_counts(SourceText(text, file));
   for (const auto& table : tables)
     for (const auto& warning : table.warnings) fmt::print(stderr, "ramify: warning: {}\n", warning);

@@ -21,7 +21,8 @@ struct HortonArguments {
 HortonOptions horton_options(const HortonArguments& options) {
   constexpr std::uint64_t fewest = 40;
   HortonOptions horton;
-  horton.families = options.model.empty() ? one_parameter_families() : chosen_families(options.model);
+  horton.families =
+      options.model.empty() ? one_parameter_families() : chosen_families(options.model, families());
   horton.trees = {read_count("--trees", options.trees), read_count("--seed", options.seed),
                   read_threads(options.threads)};
   if (horton.trees.trees < fewest)

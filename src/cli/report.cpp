@@ -41,7 +41,7 @@ void require_readable_output(const ReportArguments& options, Form form) {
 
 ReportRequest request_of(const ReportArguments& options) {
   ReportRequest request{options.files, options.root, options.resolve, {}};
-  if (!options.model.empty()) request.families = chosen_families(options.model);
+  if (!options.model.empty()) request.families = chosen_families(options.model, families());
   request.replicates = read_replicates(options.replicates);
   request.bootstrap = read_bootstrap(options.bootstrap);
   request.seed = read_count("--seed", options.seed);

@@ -49,7 +49,7 @@ TEST(FitOfCounts, AFamilyWithMoreParametersThanOrdersIsListedWithTheReason) {
   const std::string table = scratch.file("few.csv", "order,count\n1,40\n2,11\n3,2\n4,1\n");
   const Ran ran = ramify("fit --model beta,bst --format csv " + table);
   ASSERT_EQ(ran.code, 0) << ran.err;
-  EXPECT_NE(ran.out.find("few,beta,,,,,,orders,39,2,,,,,,,,,,,,not_fitted,1 order above the tips"),
+  EXPECT_NE(ran.out.find("few,beta,,,,,,orders,39,2,,,,,,,,,,,,n,not_fitted,1 order above the tips"),
             std::string::npos)
       << ran.out;
 }
@@ -97,6 +97,44 @@ TEST(FitOfCounts, HubersLossNamesTheOddOrder) {
   EXPECT_NE(ran.out.find("Huber's loss beyond 1.345 standard deviations: order 3 (-1.8) counts less"),
             std::string::npos)
       << ran.out;
+}
+
+/// What is grown by order has another likelihood, which is not ranked with that given n.
+TEST(FitOfTrees, FamiliesGivenTheOrderAreRankedApart) {
+  const Scratch scratch;
+  const std::string tree = scratch.file("tree.newick", "(((((a,b),c),((d,e),f)),z),((g,h),(i,(j,k))));");
+  const Ran ran = ramify("fit --format csv --model bst,tokunaga,catalan,ramification " + tree);
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  std::size_t of_size = 0, of_order = 0, first = 0;
+  for (const auto& line : lines_of(ran.out)) {
+    of_size += line.find(",n,no_parameter,") != std::string::npos ? 1 : 0;
+    of_order += line.find(",order,converged,") != std::string::npos ? 1 : 0;
+    first += line.find(",tree,11,1,") != std::string::npos ? 1 : 0;
+  }
+  EXPECT_EQ(of_size, 2u) << ran.out;
+  EXPECT_EQ(of_order, 3u + 9u) << ran.out;  // a, c, the ratio; rows of 2, 3 and 4 shares
+  EXPECT_GE(first, 2u) << ran.out;          // each kind has its best
+  const Ran read = ramify("fit --format table --model bst,tokunaga " + tree);
+  EXPECT_NE(read.out.find("AIC is not to be compared with that of families given n"), std::string::npos)
+      << read.out;
+}
+
+TEST(FitOfTrees, ATreeTooSmallForTokunagaNamesTheSmallest) {
+  const Scratch scratch;
+  const std::string tree = scratch.file("tree.newick", "((a,b),(c,d));");
+  const Ran ran = ramify("fit --model tokunaga " + tree);
+  EXPECT_EQ(ran.code, 2);
+  EXPECT_NE(ran.err.find("order 2, 0 side branches: a and c take order 2 (leaf order 0) and a side branch, 4 "
+                         "nodes at least"),
+            std::string::npos)
+      << ran.err;
+}
+
+TEST(FitOfCounts, OfTokunagaNumbersCountsFixTheRatio) {
+  const Ran ran = ramify("fit data/walnut.csv --format csv --model tokunaga,ramification");
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  EXPECT_NE(ran.out.find("walnut,tokunaga,horton_ratio,3."), std::string::npos) << ran.out;
+  EXPECT_NE(ran.out.find("counts do not say which orders meet"), std::string::npos) << ran.out;
 }
 
 }  // namespace

@@ -272,9 +272,10 @@ TEST(ObservedSplits, OfSeveralTreesAddUp) {
 }
 
 TEST(ObservedSplits, RefusesWhatIsNotBinary) {
-  EXPECT_EQ(test::error_of([] { ObservedSplits(test::tree_of("((a,b,c),d);").tree, "my tree"); }),
-            "my tree: a node with 3 children (splits are those of binary trees): contract one-child nodes, "
-            "resolve forks of three");
+  EXPECT_EQ(
+      test::error_of([] { ObservedSplits(test::tree_of("((a,b,c),d);").tree, "my tree"); }),
+      "my tree: a node with 3 children (families are fitted to binary trees): contract one-child nodes, "
+      "resolve forks of three");
 }
 
 }  // namespace

@@ -14,5 +14,8 @@ Family ford_family();
 Family bst_family();
 Family catalan_family();
 Family critical_family();
+Family tokunaga_family();
+Family ramification_family();
+Family ternary_family();
 
 }  // namespace ramify

@@ -1,5 +1,6 @@
 #include "ramify/family/family.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "ramify/core/contract.hpp"
@@ -44,6 +45,10 @@ double SearchScale::slope(double searched) const {
   return 1;
 }
 
+std::string_view name_of(Given given) {
+  return given == Given::size ? "n" : "order";
+}
+
 Model Family::at(std::span<const double> values) const {
   RAMIFY_EXPECTS(values.size() == parameters.size());
   return Model::make(*model, parameters.empty() ? std::span<const double>(fixed) : values);
@@ -75,15 +80,22 @@ std::vector<std::vector<double>> Family::starts() const {
   return all;
 }
 
-const std::vector<Family>& families() {
+const std::vector<Family>& all_families() {
   static const std::vector<Family> all{
-      patricia_family(), dst_family(), beta_family(),    beta_multinomial_family(), aldous_family(),
-      ford_family(),     bst_family(), catalan_family(), critical_family()};
+      patricia_family(), dst_family(),      beta_family(),         beta_multinomial_family(),
+      aldous_family(),   ford_family(),     bst_family(),          catalan_family(),
+      critical_family(), tokunaga_family(), ramification_family(), ternary_family()};
   return all;
 }
 
+std::span<const Family> families() {
+  const std::vector<Family>& all = all_families();
+  const auto end = std::ranges::find(all, Given::order, &Family::given);
+  return {all.begin(), end};
+}
+
 const Family& find_family(std::string_view name) {
-  return find_named(families(), &Family::name, name, "family");
+  return find_named(all_families(), &Family::name, name, "family");
 }
 
 }  // namespace ramify

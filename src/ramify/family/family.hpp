@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "ramify/family/observed_bi_orders.hpp"
 #include "ramify/family/observed_splits.hpp"
 #include "ramify/family/split_likelihood.hpp"
 #include "ramify/model/model.hpp"
@@ -51,6 +52,16 @@ struct NestedFamily {
   std::vector<double> values;
 };
 
+/// What a tree is given of which a family has the likelihood: likelihoods given different things cannot be
+/// compared.
+enum class Given {
+  size,   ///< its internal nodes
+  order,  ///< the order of its root: trees that are grown by order
+};
+
+/// "n", "order"
+std::string_view name_of(Given given);
+
 /// A family of models that is fitted: a model with free parameters, or one without any, to compare with.
 ///
 /// One small file each in this folder; families() lists them.
@@ -62,8 +73,16 @@ struct Family {
   Mirror mirror = Mirror::none;
   std::string_view alike;  ///< what the data cannot tell, in a sentence; empty where all can be told
 
-  /// The likelihood of the splits of whole trees.
-  SplitLikelihood (*of_splits)(const ObservedSplits& splits);
+  // NOLINTBEGIN(readability-redundant-member-init): -Wextra wants them where an aggregate leaves one out
+  /// The likelihood of the splits of whole trees, given their sizes; none of a family without a law.
+  SplitLikelihood (*of_splits)(const ObservedSplits& splits) = nullptr;
+
+  Given given = Given::size;
+  /// The likelihood of whole trees given their orders, in place of that; none where the estimates are known
+  /// in closed form.
+  SplitLikelihood (*of_bi_orders)(const ObservedBiOrders& observed) = nullptr;
+  std::string_view closed_form = {};  ///< what these are, in a line; empty where parameters are searched
+  // NOLINTEND(readability-redundant-member-init)
 
   /// The simpler families that it holds, exactly; those that it only tends to are none.
   // NOLINTNEXTLINE(readability-redundant-member-init): -Wextra wants it where an aggregate leaves it out
@@ -71,6 +90,9 @@ struct Family {
 
   /// Of values of the free parameters. Throws Error where one is out of the model's domain.
   Model at(std::span<const double> values) const;
+
+  /// No law is known: what its counts of streams are like is found by growing trees.
+  bool is_simulated() const { return given == Given::size && of_splits == nullptr; }
 
   /// Free parameters and what is searched, one for one.
   std::vector<double> searched(std::span<const double> values) const;
@@ -80,10 +102,13 @@ struct Family {
   std::vector<std::vector<double>> starts() const;
 };
 
-/// All families, those with parameters first.
-const std::vector<Family>& families();
+/// All families given the size that have a law, those with parameters first.
+std::span<const Family> families();
 
-/// Throws Error for an unknown name, nearest names given.
+/// All, those of families() first.
+const std::vector<Family>& all_families();
+
+/// Of all. Throws Error for an unknown name, nearest names given.
 const Family& find_family(std::string_view name);
 
 }  // namespace ramify

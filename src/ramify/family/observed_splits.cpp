@@ -4,9 +4,7 @@
 #include <numeric>
 #include <tuple>
 
-#include <fmt/format.h>
-
-#include "ramify/core/error.hpp"
+#include "ramify/family/require_binary.hpp"
 
 namespace ramify {
 
@@ -17,9 +15,7 @@ ObservedSplits::ObservedSplits(const Tree& tree, std::string_view where) {
       sizes.push_back(0);
       continue;
     }
-    if (tree.arity(node) != 2)
-      throw Error(fmt::format("{}: a node with {} children", where, tree.arity(node)),
-                  "splits are those of binary trees", "contract one-child nodes, resolve forks of three");
+    require_binary(tree.arity(node), where);
     const Size one = sizes.back();
     sizes.pop_back();
     const Size other = sizes.back();

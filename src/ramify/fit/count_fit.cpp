@@ -11,6 +11,7 @@
 #include "ramify/core/error.hpp"
 #include "ramify/fit/bootstrap.hpp"
 #include "ramify/fit/note.hpp"
+#include "ramify/fit/simulated_counts.hpp"
 #include "ramify/fit/valley.hpp"
 #include "ramify/large/stream_counts.hpp"
 #include "ramify/sample/grow_blocks.hpp"
@@ -58,6 +59,7 @@ std::string outlying_note(const CountFitness& fitness) {
 }  // namespace
 
 std::string CountFitter::cannot_fit(const Family& family, Size n) {
+  if (family.is_simulated()) return cannot_simulate(n);
   std::vector<double> values;
   for (const FamilyParameter& parameter : family.parameters) values.push_back(parameter.starts.front());
   return no_stream_counts(family.at(values), n);
@@ -112,12 +114,15 @@ void CountFitter::bootstrap(FamilyFit& fit, const ObservedCounts& counts, const 
   const Point start = place_of(fit);
   std::vector<std::vector<double>> estimates(plan.trees);
   std::vector<double> misfits(plan.trees);
-  const auto refit = [&](std::uint64_t replicate, const ObservedCounts& grown) {
+  const auto refit = [&](std::uint64_t replicate, const ObservedCounts& found) {
+    ObservedCounts grown = found;
+    grown.streams[0] = counts.streams[0];  // which a tree of forks of three may miss by one
     const Point place = best_place(family, count_objective(surface, grown, density_), start);
     estimates[replicate] = family.values(place);
     misfits[replicate] = count_misfit(surface, grown, place);
   };
-  each_grown_counts(family.at(fit.estimates()), counts.n(), plan, threads_, *cancellation_, refit);
+  each_grown_counts(family.at(fit.estimates()), size_with_tips_of(family, counts.n()), plan, threads_,
+                    *cancellation_, refit);
   summarise_bootstrap(estimates, fit);
   const auto larger =
       std::ranges::count_if(misfits, [&fit](double misfit) { return misfit >= fit.goodness.statistic; });

@@ -9,6 +9,7 @@
 #include "ramify/core/contract.hpp"
 #include "ramify/core/parallel.hpp"
 #include "ramify/fit/family_fit.hpp"
+#include "ramify/fit/simulated_counts.hpp"
 #include "ramify/large/stream_counts.hpp"
 
 namespace ramify {
@@ -21,8 +22,9 @@ constexpr double least_rest = 1e-9;       // of a variance, where rounding leave
 constexpr double any_order = 1e-5;  // added to P(S = s), whose tails fall too fast to be read between places
 constexpr double dense = 5;         // a mean count that a Gaussian likelihood may be asked about
 constexpr double part_of_error = 0.02;  // what a reading may err by, of one tree's standard deviation
-constexpr double seam_reach = 0.04;     // of a panel, on either side of where it meets the next
-constexpr double narrowest = 1e-3;      // a panel that is not halved again
+constexpr double of_simulation = 3;  // the same, in errors of a simulated mean: no panel is halved by chance
+constexpr double seam_reach = 0.04;  // of a panel, on either side of where it meets the next
+constexpr double narrowest = 1e-3;   // a panel that is not halved again
 
 // Of two shapes of a beta law: log(a/b) and log(a+b).
 constexpr double most_lopsided = -4.6, least_sum = -2.3, largest_sum = 6.9;
@@ -79,7 +81,9 @@ CountSurface::CountSurface(const Family& family, Size n, unsigned threads, const
       n_(n),
       threads_(threads),
       cancellation_(&cancellation),
-      orders_(static_cast<std::size_t>(std::log2(static_cast<double>(n) + 1))) {
+      orders_(static_cast<std::size_t>(std::log2(static_cast<double>(n) + 1))),
+      allowed_(family.is_simulated() ? of_simulation / std::sqrt(static_cast<double>(simulated_trees(n)))
+                                     : part_of_error) {
   RAMIFY_EXPECTS(family.parameters.size() <= 2);
   const SearchBox box = search_box(family);
   Point low = box.low, high = box.high;
@@ -149,7 +153,9 @@ std::vector<Point> CountSurface::points_of(const Panel& panel) const {
 
 std::vector<double> CountSurface::quantities(const Point& place) const {
   const auto values = family_->values(searched_of(place));
-  const StreamCounts counts = stream_counts(family_->at(values), n_, *cancellation_);
+  const StreamCounts counts = family_->is_simulated()
+                                  ? simulated_stream_counts(*family_, values, n_, *cancellation_)
+                                  : stream_counts(family_->at(values), n_, *cancellation_);
   std::vector<double> found;
   std::vector<std::vector<double>> factor;  // Cholesky's, row by row
   const auto unit = [&counts](std::size_t k) { return std::max(0.0, counts.means[k]) + rounding_variance; };
@@ -317,13 +323,13 @@ std::vector<double> CountSurface::errors(const Panel& panel, const CountReading&
       narrow = std::min(narrow, std::exp(node[spread] - node[mean] / 2));
     }
     if (largest < std::log(dense)) break;
-    note(mean, part_of_error * narrow);
-    for (std::size_t j = 1; j <= k; ++j) note(mean + j, part_of_error);
+    note(mean, allowed_ * narrow);
+    for (std::size_t j = 1; j <= k; ++j) note(mean + j, allowed_);
   }
   const std::size_t order = CountReading::row(orders_ + 1) + reading.top;
   double most = -std::numeric_limits<double>::infinity();
   for (const auto& node : panel.at_nodes) most = std::max(most, node[order]);
-  if (most > std::log(1e-6)) note(order, 2 * part_of_error);
+  if (most > std::log(1e-6) && !family_->is_simulated()) note(order, 2 * allowed_);
   return worst;
 }
 

@@ -33,7 +33,8 @@ struct CountReading {
 ///
 /// A law takes some 0.05 s (large/stream_counts.hpp), a fit asks for hundreds, a bootstrap for 10^5. So laws
 /// are computed at Chebyshev's points of panels of parameter space, and read between them by the polynomials
-/// through those; refine() halves a panel until it errs by less than 0.02 of one tree's standard deviation.
+/// through those; refine() halves a panel until it errs by less than 0.02 of one tree's standard deviation,
+/// or, of a family without a law, by less than three errors of its simulation (simulated_counts.hpp).
 ///
 /// Panels lie on a chart where mirror images are one place and nothing has a kink: the searched number itself
 /// for one parameter, log p(1-p) where p and 1-p are alike, and of two shapes the same of a/(a+b), and
@@ -106,6 +107,7 @@ class CountSurface {
   unsigned threads_;
   const Cancellation* cancellation_;
   std::size_t orders_;
+  double allowed_;  ///< that a reading errs by, of one tree's standard deviation
   std::map<Point, std::vector<double>> nodes_;
   std::vector<Panel> panels_;  ///< the first is the whole chart
 };

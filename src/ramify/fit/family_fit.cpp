@@ -105,11 +105,11 @@ std::vector<Minimum> folded_minima(const Family& family, const Objective& object
 }  // namespace
 
 double FamilyFit::aic() const {
-  return 2 * (static_cast<double>(parameters.size()) - log_likelihood);
+  return 2 * (static_cast<double>(parameters.size() - dependent) - log_likelihood);
 }
 
 double FamilyFit::bic() const {
-  return static_cast<double>(parameters.size()) * std::log(observations) - 2 * log_likelihood;
+  return static_cast<double>(parameters.size() - dependent) * std::log(observations) - 2 * log_likelihood;
 }
 
 std::vector<double> FamilyFit::estimates() const {

@@ -77,6 +77,8 @@ struct FamilyFit {
   std::vector<NestedTest> simpler = {};  ///< with a bootstrap
   std::vector<ValleyPoint> valley = {};  ///< of two shapes, where that was asked for; by ascending a+b
   // NOLINTEND(readability-redundant-member-init)
+  // NOLINTNEXTLINE(readability-redundant-member-init): -Wextra wants it where an aggregate leaves it out
+  std::size_t dependent = 0;  ///< parameters that the others give, as where some sum to 1
 
   double aic() const;
   double bic() const;

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "ramify/theory/horton_ratio_constant.hpp"
+#include "ramify/theory/tokunaga_horton_ratio.hpp"
 
 namespace ramify {
 namespace {
@@ -15,6 +16,10 @@ constexpr double normal_95 = 1.9599639845400545;  // its 97.5 % point
 
 /// NaN where there is none.
 double log_ratio(const Family& family, const Point& searched) {
+  if (family.given == Given::order) {
+    const std::vector<double> values = family.values(searched);
+    return std::log(tokunaga_horton_ratio(values[0], values[1]));
+  }
   const auto ratio = horton_ratio_constant(family.at(family.values(searched)));
   return ratio ? std::log(ratio->value) : no_ratio;
 }
@@ -36,12 +41,18 @@ double log_error(const FamilyFit& fit, const Point& at) {
   return std::sqrt(variance);
 }
 
+bool has_ratio(const FamilyFit& fit) {
+  if (fit.family->given == Given::order) return fit.family->of_bi_orders != nullptr;
+  if (fit.family->is_simulated()) return false;
+  const SplitFraction fraction = fit.family->at(fit.estimates()).character().fraction;
+  return std::holds_alternative<BetaFraction>(fraction);
+}
+
 }  // namespace
 
 std::optional<FittedParameter> limiting_ratio(const FamilyFit& fit) {
   if (fit.parameters.empty() || fit.at_end) return std::nullopt;
-  const SplitFraction fraction = fit.family->at(fit.estimates()).character().fraction;
-  if (!std::holds_alternative<BetaFraction>(fraction)) return std::nullopt;
+  if (!has_ratio(fit)) return std::nullopt;
   const Point at = fit.family->searched(fit.estimates());
   const double ratio = std::exp(log_ratio(*fit.family, at)), error = log_error(fit, at);
   if (std::isnan(ratio)) return std::nullopt;

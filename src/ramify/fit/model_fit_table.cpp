@@ -121,7 +121,7 @@ class Rows {
     row.significant(fit.goodness.statistic, table_digits).significant(fit.goodness.p_value, table_digits);
     row.significant(likelihood_ratio, table_digits);
     add_bootstrap(row, fit, parameter);
-    table_.add(row.text(status_of(fit)).text(note_of(fit, datum_)));
+    table_.add(row.text(name_of(datum_.given)).text(status_of(fit)).text(note_of(fit, datum_)));
   }
 
   const FittedDatum& datum_;
@@ -152,6 +152,7 @@ Table model_fit_table(std::span<const FittedDatum> data) {
                "bootstrap_lower",
                "bootstrap_upper",
                "bootstrap_bias",
+               "given",
                "status",
                "note"});
   for (const FittedDatum& datum : data) {
@@ -228,6 +229,9 @@ std::string model_fit_text(std::span<const FittedDatum> data) {
   std::string text;
   for (const FittedDatum& datum : data) {
     text += fmt::format("{}{}, n {}, from {}\n", text.empty() ? "" : "\n", datum.data, datum.n, datum.used);
+    if (datum.given == Given::order)
+      text +=
+          "Given the order of the root, so that AIC is not to be compared with that of families given n.\n";
     text += write_text(model_fit_lines(datum));
     for (const FamilyFit& fit : datum.fits) {
       std::string note = fit.note;

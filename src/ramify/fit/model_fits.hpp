@@ -34,15 +34,18 @@ struct FittedDatum {
   Size n;                       ///< internal nodes
   std::string used;             ///< of the observation: "orders 1..5 and S"
   std::vector<FamilyFit> fits;  ///< the best by AIC first
+  Given given = Given::size;    ///< in every likelihood of the fits: those of other data cannot be compared
 };
 
 /// The families that `--model` names: one, several between commas, or all. Throws Error, nearest names given.
-std::vector<const Family*> chosen_families(std::string_view names);
+/// @param known  that may be named: all_families(), or families(), those given the size
+std::vector<const Family*> chosen_families(std::string_view names, std::span<const Family> known);
 
 /// Why no family can be fitted to these counts: "40 tips, 2 orders"; empty where one can.
 std::string too_few_to_fit(const OrderCounts& table);
 
-/// Fits families to tables of stream counts (count_likelihood.hpp), one datum a tree.
+/// Fits families to tables of stream counts (count_likelihood.hpp), one datum a tree; a second one of
+/// families given the order (order_count_fit.hpp), where there are some.
 ///
 /// A family that cannot be fitted at a size is listed with a note that says why. Throws Error where a table
 /// is too small for any or holds counts that no binary tree has (OrderCounts::contradiction), Interrupted.
@@ -54,7 +57,8 @@ std::vector<FittedDatum> fit_order_counts(std::span<const OrderCounts> tables, s
 std::vector<OrderCounts> order_counts_of(std::span<const RecordedTree> trees);
 
 /// Fits families to whole trees by the exact likelihood of their splits (tree_fit.hpp), each by itself or,
-/// where `pooled` is asked for, all together. Throws Error, Interrupted.
+/// where `pooled` is asked for, all together; then those given the order (order_fit.hpp), as data of their
+/// own. Throws Error, Interrupted.
 /// @param trees  binary
 std::vector<FittedDatum> fit_whole_trees(std::span<const RecordedTree> trees, std::string_view file,
                                          bool pooled, const ModelFitOptions& options,

@@ -68,21 +68,10 @@ Objective tree_objective(const Family& family, const ObservedSplits& splits) {
 
 std::vector<TreeFit> fit_trees(std::span<const RecordedTree> trees, std::span<const Family* const> families,
                                const TreeFitOptions& options, const Cancellation& cancellation) {
-  std::vector<TreeFit> fits;
-  ObservedSplits all;
-  for (const RecordedTree& tree : trees) {
-    const ObservedSplits splits(tree.tree, tree.name);
-    if (options.pooled)
-      all.add(splits);
-    else
-      fits.push_back(fit_of(tree.name, splits, families, options, cancellation));
-  }
-  if (options.pooled && !trees.empty()) {
-    const std::string name =
-        trees.size() == 1 ? trees[0].name : fmt::format("{} and {} more", trees[0].name, trees.size() - 1);
-    fits.push_back(fit_of(name, all, families, options, cancellation));
-  }
-  return fits;
+  return fits_of_trees<ObservedSplits>(
+      trees, options.pooled, [&](std::string name, const ObservedSplits& splits) {
+        return fit_of(std::move(name), splits, families, options, cancellation);
+      });
 }
 
 }  // namespace ramify

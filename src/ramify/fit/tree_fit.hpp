@@ -37,6 +37,26 @@ struct TreeFitOptions {
 std::vector<TreeFit> fit_trees(std::span<const RecordedTree> trees, std::span<const Family* const> families,
                                const TreeFitOptions& options, const Cancellation& cancellation);
 
+/// A fit of each tree, or one of all where they are pooled.
+/// @tparam Observed  what a likelihood takes of a tree; made of (tree, name), added up
+/// @param  fit       TreeFit fit(std::string name, const Observed&)
+template <class Observed, class Fit>
+std::vector<TreeFit> fits_of_trees(std::span<const RecordedTree> trees, bool pooled, Fit fit) {
+  std::vector<TreeFit> fits;
+  Observed all;
+  for (const RecordedTree& tree : trees) {
+    const Observed observed(tree.tree, tree.name);
+    if (pooled)
+      all.add(observed);
+    else
+      fits.push_back(fit(tree.name, observed));
+  }
+  if (!pooled || trees.empty()) return fits;
+  const std::string more = trees.size() == 1 ? "" : " and " + std::to_string(trees.size() - 1) + " more";
+  fits.push_back(fit(trees[0].name + more, all));
+  return fits;
+}
+
 /// The smallest tree that a family is fitted to: 3 nodes for a parameter or none, 4 for two. Nodes of less
 /// than 3 divide in one way alone.
 Size smallest_tree(const Family& family);

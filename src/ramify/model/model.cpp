@@ -145,6 +145,10 @@ Model Model::make(const ModelInfo& info, std::span<const double> parameters) {
                model_of(info, parameters, exact));
 }
 
+Model Model::made(const ModelInfo& info, std::string text, AnyModel kind) {
+  return Model(info, std::move(text), {}, std::move(kind));
+}
+
 SplitCharacter Model::character() const {
   return std::visit([](const auto& law) { return law.character(); }, law());
 }

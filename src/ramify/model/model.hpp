@@ -26,6 +26,11 @@ class Model {
   /// @param info  of a model of numbers, lives as long as the model
   static Model make(const ModelInfo& info, std::span<const double> parameters);
 
+  /// A model that no text can name, made of data: a ramification matrix that was measured.
+  /// @param info  of the models of its kind, lives as long as the model
+  /// @param text  what stands for it in tables
+  static Model made(const ModelInfo& info, std::string text, AnyModel kind);
+
   /// The model as written, without white space (but that of a path).
   const std::string& text() const { return text_; }
   const ModelInfo& info() const { return *info_; }

@@ -56,8 +56,8 @@ Table model_table() {
 }
 
 Table family_table() {
-  Table table({"name", "parameters", "searched", "description", "alike"});
-  for (const Family& family : families()) {
+  Table table({"name", "parameters", "searched", "given", "description", "alike"});
+  for (const Family& family : all_families()) {
     std::vector<std::string_view> names;
     std::vector<std::string> ranges;
     for (const FamilyParameter& parameter : family.parameters) {
@@ -67,8 +67,9 @@ Table family_table() {
     table.add(Row()
                   .text(family.name)
                   .text(fmt::format("{}", fmt::join(names, ",")))
-                  .text(fmt::format("{}", fmt::join(ranges, ", ")))
-                  .texts({family.model->description, family.alike}));
+                  .text(family.closed_form.empty() ? fmt::format("{}", fmt::join(ranges, ", "))
+                                                   : std::string(family.closed_form))
+                  .texts({name_of(family.given), family.model->description, family.alike}));
   }
   return table;
 }
