@@ -142,7 +142,7 @@ TEST(CountLikelihood, IsReadBetweenLawsWhereTheIntervalIs) {
 }
 
 TEST(CountLikelihood, HasTheSlopesOfItsDifferences) {
-  for (const char* name : {"patricia", "aldous", "ford", "beta_multinomial"}) {
+  for (const char* name : {"patricia", "aldous", "ford", "beta_multinomial", "ternary"}) {
     const Family& family = find_family(name);
     const ObservedCounts apple{{280, 52, 7, 1}};
     const CountSurface surface(family, apple.n(), 2, uninterrupted);

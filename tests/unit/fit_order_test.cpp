@@ -113,6 +113,8 @@ TEST(FitGivenOrder, AMatrixIsItsSharesWithMultinomialErrors) {
   EXPECT_EQ(fit.parameters.size() - fit.dependent, 10u);
   EXPECT_NEAR(fit.log_likelihood, literal_log_product(measured_matrix(observed), tree.tree),
               1e-11 * -fit.log_likelihood);
+  EXPECT_NE(fit.note.find("fewer than 100 streams: p(k,k) is too large there"), std::string::npos)
+      << fit.note;
   const FittedParameter& found = fit.parameters[3];
   const double x = observed.count(2, 1), nodes = observed.nodes(2), p = x / nodes;
   EXPECT_EQ(found.name, "p(2,1)");
@@ -253,6 +255,13 @@ TEST(OrderCounts, HaveTheSlopesOfTheirDifferences) {
                   1e-6 * std::max(1.0, std::abs(value)));
     }
   }
+}
+
+TEST(OrderCounts, OfFewOrdersSayThatTheIntervalIsNarrow) {
+  const FamilyFit few = fit_counts_given_order(walnut_streams);
+  EXPECT_NE(few.note.find("fewer than 6 orders"), std::string::npos) << few.note;
+  const FamilyFit enough = fit_counts_given_order({{262144, 65536, 16384, 4096, 1024, 256, 64, 16, 4, 1}});
+  EXPECT_EQ(enough.note, "");
 }
 
 TEST(OrderCounts, OfTooFewStreamsSayWhatIsNeeded) {

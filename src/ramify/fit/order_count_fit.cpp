@@ -9,11 +9,14 @@
 #include <fmt/format.h>
 
 #include "ramify/family/jet_likelihood.hpp"
+#include "ramify/fit/note.hpp"
 #include "ramify/measure/tree_measurement.hpp"
 #include "ramify/model/ramification.hpp"
 
 namespace ramify {
 namespace {
+
+constexpr std::size_t enough_orders = 6;  // docs/validation.md
 
 /// What is new at the orders, from the highest down, whitened: row by row of Cholesky's factor of its
 /// covariances.
@@ -135,6 +138,11 @@ FamilyFit fit_counts_given_order(const ObservedCounts& counts) {
   }
   FamilyFit fit = fit_family(family, order_count_objective(counts), n);
   if (!fit.converged) return fit;
+  if (used < enough_orders)
+    add_note(fit.note,
+             fmt::format("fewer than {} orders: R is too large by some half of its error, and its interval "
+                         "holds it nine times of ten",
+                         enough_orders));
   const double degrees = static_cast<double>(used) - static_cast<double>(family.parameters.size());
   const double misfit = misfit_of(counts, fit.estimates());
   fit.goodness = {misfit, degrees > 0 ? boost::math::gamma_q(degrees / 2, misfit / 2) : std::nan(""), 0,

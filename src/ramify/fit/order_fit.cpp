@@ -65,10 +65,24 @@ double saturated_log_likelihood(const ObservedBiOrders& observed) {
   return sum;
 }
 
+/// From which order on p(k,k) is biased; nothing where none is. It is the share of a row that goes on until
+/// so many streams have ended.
+std::string few_streams_note(const ObservedBiOrders& observed) {
+  constexpr double many = 100;  // docs/validation.md
+  for (std::size_t k = 1; k <= observed.largest_order(); ++k)
+    if (observed.streams(k) < many)
+      return fmt::format(
+          "orders from {} on have fewer than {} streams: p(k,k) is too large there, by up to half of its "
+          "error",
+          k, many);
+  return {};
+}
+
 FamilyFit fit_matrix(const Family& family, const ObservedBiOrders& observed) {
   FamilyFit fit = without_fit(family, observed.all_nodes());
   fit.log_likelihood = saturated_log_likelihood(observed);
   fit.dependent = observed.largest_order();
+  fit.note = few_streams_note(observed);
   for (std::size_t k = 1; k <= observed.largest_order(); ++k)
     for (std::size_t j = 0; j <= k; ++j) fit.parameters.push_back(share_of(observed, k, j));
   return fit;
