@@ -58,12 +58,14 @@ double covariance_of_fresh(const std::vector<double>& streams, std::size_t k, st
 
 TEST(OrderCounts, WhatIsNewHasTheMomentsOfSideBranches) {
   constexpr double a = 1.1, c = 2.5;
-  const auto trees = trees_of_family("tokunaga", {a, c}, 5, replicates(4000));
+  std::vector<std::vector<double>> grown;
+  for (const RecordedTree& tree : trees_of_family("tokunaga", {a, c}, 5, replicates(4000)))
+    grown.push_back(streams_of(tree));
   for (std::size_t k = 0; k < 5; ++k) {
     SampleMean mean, wrong_mean;
-    for (const RecordedTree& tree : trees) {
-      mean.add(fresh(streams_of(tree), k, a, c));
-      wrong_mean.add(fresh(streams_of(tree), k, a, 1.2 * c));
+    for (const auto& streams : grown) {
+      mean.add(fresh(streams, k, a, c));
+      wrong_mean.add(fresh(streams, k, a, 1.2 * c));
     }
     EXPECT_TRUE(agrees(z_test(fmt::format("new at order {}", k), mean, 0)));
     if (k < 4) {
@@ -71,8 +73,7 @@ TEST(OrderCounts, WhatIsNewHasTheMomentsOfSideBranches) {
     }
     for (std::size_t l = k; l < 5; ++l) {
       SampleMean product, poisson;
-      for (const RecordedTree& tree : trees) {
-        const auto streams = streams_of(tree);
+      for (const auto& streams : grown) {
         const double both = fresh(streams, k, a, c) * fresh(streams, l, a, c);
         product.add(both - covariance_of_fresh(streams, k, l, a, c));
         poisson.add(both);
