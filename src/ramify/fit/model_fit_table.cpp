@@ -121,7 +121,7 @@ class Rows {
     row.significant(fit.goodness.statistic, table_digits).significant(fit.goodness.p_value, table_digits);
     row.significant(likelihood_ratio, table_digits);
     add_bootstrap(row, fit, parameter);
-    table_.add(row.text(name_of(datum_.given)).text(status_of(fit)).text(note_of(fit, datum_)));
+    table_.add(row.text(status_of(fit)).text(note_of(fit, datum_)));
   }
 
   const FittedDatum& datum_;
@@ -152,7 +152,6 @@ Table model_fit_table(std::span<const FittedDatum> data) {
                "bootstrap_lower",
                "bootstrap_upper",
                "bootstrap_bias",
-               "given",
                "status",
                "note"});
   for (const FittedDatum& datum : data) {

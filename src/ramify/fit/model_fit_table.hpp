@@ -11,7 +11,7 @@ namespace ramify {
 /// One row for each parameter of each fit, one for a family without: data,model,parameter,estimate,
 /// standard_error,lower,upper, then the fit they are of:
 /// observable,given,n,rank,log_likelihood,aic,bic,delta_aic,
-/// misfit,misfit_p,bootstrap_trees,bootstrap_lower,bootstrap_upper,bootstrap_bias,given,status,note
+/// misfit,misfit_p,bootstrap_trees,bootstrap_lower,bootstrap_upper,bootstrap_bias,status,note
 /// (docs/fitting-models.md).
 Table model_fit_table(std::span<const FittedDatum> data);
 

@@ -25,8 +25,10 @@
 namespace ramify {
 namespace {
 
-constexpr double few_nodes = 100;  // of a tree: docs/validation.md
-constexpr Size smallest_n = 20;    // below, counts above the tips are too few for a density
+constexpr double few_nodes = 100;             // of a tree: docs/validation.md
+constexpr std::string_view linear_interval =  // docs/validation.md
+    "the interval of horton_ratio is too narrow: it held the ratio eight times of ten where n was 579";
+constexpr Size smallest_n = 20;  // below, counts above the tips are too few for a density
 
 /// Throws Error where counts tell too little.
 void require_counts(const OrderCounts& table) {
@@ -76,6 +78,7 @@ FamilyFit fit_counts(const Family& family, const ObservedCounts& counts, const M
   fit.horton_ratio = limiting_ratio(fit);
   add_note(fit.note, valley_note(fit));
   if (options.valleys && family.mirror == Mirror::exchanged) fitter.trace_valley(fit, counts);
+  if (fit.horton_ratio && family.parameters.size() > 1) add_note(fit.note, linear_interval);
   if (options.bootstrap_trees > 0) fitter.bootstrap(fit, counts, {options.bootstrap_trees, options.seed});
   return fit;
 }
@@ -116,7 +119,7 @@ FittedDatum datum_of(std::string name, const ObservedCounts& counts) {
 FittedDatum datum_given_order(std::string name, const ObservedCounts& counts) {
   const std::size_t used = orders_given_above(counts);
   return {std::move(name),
-          "orders",
+          "orders given order",
           counts.n(),
           used == 0 ? "no count"
                     : fmt::format("counts of orders 0..{} given those above, of a root of order {}", used - 1,
@@ -146,7 +149,7 @@ std::vector<FittedDatum> given_order(std::span<const RecordedTree> trees, std::s
                                      const Cancellation& cancellation) {
   std::vector<FittedDatum> data;
   for (TreeFit& fit : fit_trees_given_order(trees, families, how, cancellation))
-    data.push_back({short_name(fit.name, file), "tree", static_cast<Size>(fit.nodes),
+    data.push_back({short_name(fit.name, file), "tree given order", static_cast<Size>(fit.nodes),
                     fmt::format("the orders below {:.0f} nodes", fit.nodes), std::move(fit.families),
                     Given::order});
   return data;
@@ -173,7 +176,7 @@ std::string too_few_to_fit(const OrderCounts& table) {
 std::vector<const Family*> chosen_families(std::string_view names, std::span<const Family> known) {
   std::vector<const Family*> chosen;
   if (names == "all") {
-    for (const Family& family : known) chosen.push_back(&family);
+    for (const Family& family : families()) chosen.push_back(&family);
     return chosen;
   }
   while (true) {

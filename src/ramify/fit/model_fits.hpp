@@ -30,14 +30,15 @@ struct ModelFitOptions {
 /// One tree or table of counts with all families that were fitted to it.
 struct FittedDatum {
   std::string data;
-  std::string_view observable;  ///< "orders", "tree"
+  std::string_view observable;  ///< "orders", "tree", and "tree given order"
   Size n;                       ///< internal nodes
   std::string used;             ///< of the observation: "orders 1..5 and S"
   std::vector<FamilyFit> fits;  ///< the best by AIC first
   Given given = Given::size;    ///< in every likelihood of the fits: those of other data cannot be compared
 };
 
-/// The families that `--model` names: one, several between commas, or all. Throws Error, nearest names given.
+/// The families that `--model` names: one, several between commas, or all of families(). Throws Error, nearest
+/// names given.
 /// @param known  that may be named: all_families(), or families(), those given the size
 std::vector<const Family*> chosen_families(std::string_view names, std::span<const Family> known);
 
