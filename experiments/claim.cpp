@@ -91,9 +91,18 @@ std::string whole_claim(std::string id) {
 }  // namespace
 
 const std::vector<Claim>& claims() {
-  static const std::vector<Claim> all{depth_claim(),         height_claim(),       patricia_order_claim(),
-                                      patricia_fill_claim(), bst_fill_claim(),     bst_balance_claim(),
-                                      bst_order_claim(),     catalan_order_claim()};
+  static const std::vector<Claim> all{external_nodes_claim(),
+                                      largest_order_claim(),
+                                      extreme_orders_claim(),
+                                      stream_bounds_claim(),
+                                      depth_claim(),
+                                      height_claim(),
+                                      patricia_order_claim(),
+                                      patricia_fill_claim(),
+                                      bst_fill_claim(),
+                                      bst_balance_claim(),
+                                      bst_order_claim(),
+                                      catalan_order_claim()};
   return all;
 }
 

@@ -90,6 +90,10 @@ std::vector<const Claim*> served_claims(const RunConfig& config);
 /// A row for every part: `ramify list claims`.
 Table claim_table();
 
+Claim external_nodes_claim();
+Claim largest_order_claim();
+Claim extreme_orders_claim();
+Claim stream_bounds_claim();
 Claim depth_claim();
 Claim height_claim();
 Claim patricia_order_claim();

@@ -48,6 +48,21 @@ TEST(Run, AnotherSeedGivesAnotherTable) {
   EXPECT_NE(read_file(one + "/summary.csv"), read_file(other + "/summary.csv"));
 }
 
+// It needs no config, and nothing is sampled.
+TEST(Reproduce, DecidesAClaimThatTakesNoTrees) {
+  const Scratch scratch;
+  const Ran ran = ramify("reproduce --claim c3 --out " + (scratch / "out").string());
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  EXPECT_NE(ran.out.find("C3.1"), std::string::npos) << ran.out;
+  EXPECT_NE(read_file(scratch / "out/verdicts.csv").find("reproduced"), std::string::npos);
+  const Ran served = ramify("run " + scratch.file("c.toml", std::string("claim = \"C3\"\n") + quick_config) +
+                            " --out " + (scratch / "run").string());
+  EXPECT_EQ(served.code, 2);
+  EXPECT_NE(served.err.find("claim C3 (it is decided without trees): take it out of the config"),
+            std::string::npos)
+      << served.err;
+}
+
 TEST(Run, ProvenanceSaysHowTheTableWasMade) {
   const Scratch scratch;
   const std::string folder = run_into(scratch, quick_config, "one", "--threads 2");
