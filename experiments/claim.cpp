@@ -98,13 +98,16 @@ const std::vector<Claim>& claims() {
                                       depth_claim(),
                                       height_claim(),
                                       split_moments_claim(),
+                                      order_by_ratio_claim(),
                                       fixed_split_order_claim(),
                                       fixed_split_ratio_claim(),
+                                      first_order_claim(),
                                       patricia_order_claim(),
                                       patricia_fill_claim(),
                                       bst_fill_claim(),
                                       bst_balance_claim(),
                                       bst_order_claim(),
+                                      mean_split_order_claim(),
                                       catalan_order_claim()};
   return all;
 }

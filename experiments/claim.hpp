@@ -97,13 +97,16 @@ Claim stream_bounds_claim();
 Claim depth_claim();
 Claim height_claim();
 Claim split_moments_claim();
+Claim order_by_ratio_claim();
 Claim fixed_split_order_claim();
 Claim fixed_split_ratio_claim();
+Claim first_order_claim();
 Claim patricia_order_claim();
 Claim patricia_fill_claim();
 Claim bst_fill_claim();
 Claim bst_balance_claim();
 Claim bst_order_claim();
+Claim mean_split_order_claim();
 Claim catalan_order_claim();
 
 }  // namespace ramify
