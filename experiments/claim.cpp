@@ -17,8 +17,15 @@ namespace {
 std::string spoken_of(const Claim& claim) {
   std::vector<std::string> models;
   for (const auto& part : claim.parts)
-    if (std::ranges::find(models, part.model.text()) == models.end()) models.push_back(part.model.text());
+    if (part.model && std::ranges::find(models, part.model->text()) == models.end())
+      models.push_back(part.model->text());
   return fmt::format("{}", fmt::join(models, ", "));
+}
+
+void require_trees_taken(const Claim& claim, const RunConfig& config) {
+  if (!claim.takes_trees())
+    throw Error(fmt::format("{}: claim {}", config.path, claim.id), "it is decided without trees",
+                "take it out of the config");
 }
 
 void require_models(const Claim& claim, const RunConfig& config) {
@@ -59,12 +66,13 @@ void require_trees(const Claim& claim, const RunConfig& config) {
 
 void require_statistics(const Claim& claim, const RunConfig& config) {
   for (const auto& part : claim.parts)
-    if (!config.statistics.contains(*part.statistic))
+    if (part.statistic != nullptr && !config.statistics.contains(*part.statistic))
       throw Error(fmt::format("{}: claim {} without '{}'", config.path, claim.id, part.statistic->name),
                   "it is of that statistic", "add it to statistics");
 }
 
 void require_needs(const Claim& claim, const RunConfig& config) {
+  require_trees_taken(claim, config);
   require_statistics(claim, config);
   require_models(claim, config);
   require_sizes(claim, config);
@@ -103,6 +111,14 @@ std::vector<const Claim*> served_claims(const RunConfig& config) {
   const auto served = find_claims(config.claim.value_or(""));
   for (const Claim* claim : served) require_needs(*claim, config);
   return served;
+}
+
+ClaimPart part_without_trees(Statement statement, std::function<Basis(const Evidence&)> basis) {
+  return {std::move(statement), std::nullopt, nullptr, std::move(basis)};
+}
+
+bool Claim::takes_trees() const {
+  return std::ranges::any_of(parts, [](const ClaimPart& part) { return part.model.has_value(); });
 }
 
 bool Claim::speaks_of(const Model& model) const {

@@ -42,11 +42,14 @@ struct Evidence {
 /// computed; the basis is always found, or the part named as one that cannot be judged.
 struct ClaimPart {
   Statement statement;
-  /// Of what trees its sampler check is.
-  Model model;
+  /// Of what trees its sampler check is; nothing, and no statistic, where the statement takes none.
+  std::optional<Model> model;
   const StatisticInfo* statistic;  ///< of one column
   std::function<Basis(const Evidence&)> basis;
 };
+
+/// A part that rests on what is exact alone: no sampler is checked in its row, no config need serve it.
+ClaimPart part_without_trees(Statement statement, std::function<Basis(const Evidence&)> basis);
 
 /// A claim of the sources as an experiment: the catalogue number, what it says, its parts, and what is drawn
 /// of it.
@@ -63,6 +66,8 @@ struct Claim {
   std::function<std::vector<NamedPlot>(const std::vector<ModelCells>&)> plots;
 
   bool speaks_of(const Model& model) const;
+  /// False where no part takes trees: no config serves such a claim.
+  bool takes_trees() const;
 };
 
 /// All claims, in the order of the catalogue.
@@ -78,7 +83,8 @@ inline constexpr std::size_t claim_sizes = 4;
 inline constexpr std::uint64_t claim_trees = 10;
 
 /// The claims that a config serves. Throws Error for an unknown one, and where the config lacks what one of
-/// them needs: its statistic, sizes of a model, trees of every cell, or no model but those it speaks of.
+/// them needs: its statistic, sizes of a model, trees of every cell, or no model but those it speaks of; and
+/// for one that takes no trees.
 std::vector<const Claim*> served_claims(const RunConfig& config);
 
 /// A row for every part: `ramify list claims`.

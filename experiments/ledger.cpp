@@ -67,7 +67,7 @@ std::vector<const Claim*> Ledger::served() const {
 }
 
 SamplerCheck Ledger::sampler_check(const Claim& claim, const ClaimPart& part) const {
-  SamplerCheck check{0, 0, simultaneous_sigmas(false_alarm, means_)};
+  SamplerCheck check{0, 0, simultaneous_sigmas(false_alarm, means_), part.model.has_value()};
   const auto models = models_.find(claim.id);
   if (models == models_.end()) return check;
   for (const ModelCells& cells : models->second) {

@@ -43,7 +43,7 @@ std::vector<RunConfig> configs_of(const ReproduceArguments& options) {
                 "take quick (minutes) or full");
   auto configs = serving(read_configs(config_files(config_folder(options)), options.flags.given_seed()),
                          find_claims(options.claim));
-  if (configs.empty())
+  if (configs.empty() && std::ranges::any_of(asked_for(options), &Claim::takes_trees))
     throw Error(fmt::format("nothing to run at scale {}", options.scale),
                 "no config serves what was asked for", "see: ramify list claims");
   return configs;

@@ -29,13 +29,14 @@ TEST(Claims, AreFoundByNumberAndRefusedOtherwise) {
   EXPECT_THROW(find_claims("C6 C99"), Error);
 }
 
-TEST(Claims, EveryOneHasAConfigWithWhatItNeedsAtBothScales) {
+TEST(Claims, EveryOneThatTakesTreesHasAConfigWithWhatItNeedsAtBothScales) {
   for (const char* scale : {"quick", "full"}) {
     std::set<std::string_view> served;
     for (const auto& entry :
          std::filesystem::directory_iterator(std::string(RAMIFY_SOURCE_DIR) + "/configs/" + scale))
       for (const Claim* claim : served_claims(read_run_config(entry.path()))) served.insert(claim->id);
-    for (const auto& claim : claims()) EXPECT_TRUE(served.contains(claim.id)) << claim.id << ' ' << scale;
+    for (const auto& claim : claims())
+      EXPECT_EQ(served.contains(claim.id), claim.takes_trees()) << claim.id << ' ' << scale;
   }
 }
 
@@ -125,6 +126,19 @@ TEST(Ledger, JudgesAPartByItsBasisAndTheSamplerByItsCells) {
   EXPECT_EQ(all.verdicts.front().sampler.means, 4u);
   EXPECT_EQ(all.verdicts.front().sampler.worst_z, 3);
   EXPECT_EQ(all.verdicts.front().sampler.word(), "ok");
+}
+
+TEST(Ledger, APartWithoutTreesChecksNoSampler) {
+  Claim claim = claim_of({});
+  EXPECT_TRUE(claim.takes_trees());
+  claim.parts = {
+      part_without_trees(claim.parts.front().statement, [](const Evidence&) { return found(1.9, 2, 2.1); })};
+  EXPECT_FALSE(claim.takes_trees());
+  EXPECT_FALSE(claim.speaks_of(Model::parse("bst")));
+  const auto all = judged(Ledger(), claim);
+  ASSERT_EQ(all.verdicts.size(), 1u);
+  EXPECT_EQ(all.verdicts.front().sampler.word(), "-");
+  EXPECT_EQ(all.verdicts.front().decision, Decision::reproduced);
 }
 
 TEST(Ledger, ASamplerBesideItsLawFailsWhateverTheClaim) {

@@ -50,6 +50,7 @@ TEST(Interval, SimultaneousOnesAreWider) {
 
 TEST(SamplerCheck, FailsBeyondWhatAllMeansTogetherAllow) {
   EXPECT_EQ((SamplerCheck{0, 0, 5}).word(), "not sampled");
+  EXPECT_EQ((SamplerCheck{0, 0, 5, false}).word(), "-");
   EXPECT_EQ((SamplerCheck{3, 4.9, 5}).word(), "ok");
   EXPECT_EQ((SamplerCheck{3, 5.1, 5}).word(), "failed");
 }

@@ -15,6 +15,7 @@ std::string_view to_string(Decision decision) {
 }
 
 std::string_view SamplerCheck::word() const {
+  if (!takes_trees) return "-";
   if (means == 0) return "not sampled";
   return failed() ? "failed" : "ok";
 }

@@ -17,11 +17,12 @@ std::string_view to_string(Decision decision);
 /// another question than whether the claim is true.
 struct SamplerCheck {
   std::size_t means = 0;
-  double worst_z = 0;    ///< the largest |z|
-  double allowed_z = 0;  ///< of all means of the ledger together one in a million ledgers goes beyond
+  double worst_z = 0;       ///< the largest |z|
+  double allowed_z = 0;     ///< of all means of the ledger together one in a million ledgers goes beyond
+  bool takes_trees = true;  ///< false where the statement is of no sampled trees
 
   bool failed() const { return means > 0 && worst_z > allowed_z; }
-  /// "ok", "failed", or "not sampled".
+  /// "ok", "failed", "not sampled", or "-" where there is nothing to sample.
   std::string_view word() const;
 };
 
