@@ -91,9 +91,10 @@ std::string whole_claim(std::string id) {
 }  // namespace
 
 const std::vector<Claim>& claims() {
-  static const std::vector<Claim> all{depth_claim(),         height_claim(),       patricia_order_claim(),
-                                      patricia_fill_claim(), bst_fill_claim(),     bst_balance_claim(),
-                                      bst_order_claim(),     catalan_order_claim()};
+  static const std::vector<Claim> all{depth_claim(),         height_claim(),        patricia_order_claim(),
+                                      patricia_fill_claim(), bst_fill_claim(),      bst_balance_claim(),
+                                      bst_order_claim(),     catalan_order_claim(), growth_ratio_claim(),
+                                      lung_claim(),          equivalence_claim(),   second_law_claim()};
   return all;
 }
 

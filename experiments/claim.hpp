@@ -98,5 +98,9 @@ Claim bst_fill_claim();
 Claim bst_balance_claim();
 Claim bst_order_claim();
 Claim catalan_order_claim();
+Claim growth_ratio_claim();
+Claim lung_claim();
+Claim equivalence_claim();
+Claim second_law_claim();
 
 }  // namespace ramify
