@@ -4,8 +4,11 @@
 // E D_n = log(n)/mu + constant + O(n^-c), so the slope of the exact mean on log n settles: 11 digits at n =
 // 10^12, 6 for beta(10,80), where c is small. D_n/log n itself is off by constant/log n (5 % for BSTs at n =
 // 4096) and is never judged.
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
+#include "depth_range.hpp"
 #include "growth.hpp"
 
 #include "ramify/theory/depth_constant.hpp"
@@ -23,12 +26,21 @@ std::vector<NamedValue> rival_depths(const Model& model) {
           {"1/log(1/min(EX,1-EX)), down the smaller side", -1 / std::log(std::min(p, 1 - p))}};
 }
 
-std::vector<GrowthCase> depth_cases() {
+/// The shapes of which trees are taken, and the rest of the table of the catalogue.
+std::vector<ClaimPart> depth_parts(const GrowthLaw& law) {
+  const std::vector<const char*> sampled{"bst", "beta(10,10)", "beta(10,80)", "patricia(0.23)"};
   std::vector<GrowthCase> cases;
-  for (const char* model : {"bst", "beta(10,10)", "beta(10,80)", "patricia(0.23)"})
-    cases.push_back({Model::parse(model),
-                     {&statistic::depth, GrowthLadder::Rungs::means, GrowthLadder::Approach::settles, 1e12}});
-  return cases;
+  for (const auto& models :
+       {sampled, {"beta(0.1,0.1)", "beta(0.5,0.5)", "beta(2,2)", "beta(100,100)", "beta(1,5)", "beta(2,8)"}})
+    for (const char* model : models)
+      cases.push_back(
+          {Model::parse(model),
+           {&statistic::depth, GrowthLadder::Rungs::means, GrowthLadder::Approach::settles, 1e12}});
+  auto parts = growth_parts("C6", law, cases);
+  for (std::size_t i = sampled.size(); i < parts.size(); ++i)
+    parts[i] = part_without_trees(parts[i].statement, parts[i].basis);
+  std::ranges::move(depth_range_parts(parts.size() + 1), std::back_inserter(parts));
+  return parts;
 }
 
 }  // namespace
@@ -39,7 +51,7 @@ Claim depth_claim() {
   return growth_claim({"C6",
                        "D_n/log n -> 1/mu: depth of the last node of a random split tree",
                        law.source,
-                       growth_parts("C6", law, depth_cases()),
+                       depth_parts(law),
                        {}},
                       {"C6_depth", "Depth of the last node", "mean D_n (nodes)"});
 }

@@ -2,9 +2,13 @@
 // Vuillemin 1979 and Kemp 1979): E S_n ~ log_4 n and Var S_n = O(1).
 //
 // E S_n = log_4 n + 0.2924 + an oscillation of amplitude 0.0407 with period 4 in n, and Var S_n oscillates
-// with it: along n 4^j the mean goes up by exactly 1 and the variance stays, up to O(1/n).
+// with it: along n 4^j the mean goes up by exactly 1 and the variance stays, up to O(1/n). What is exact of
+// both, and of the counts, is in c22_catalan_fluctuation.cpp and c22_catalan_counts.cpp.
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
+#include "catalan_counts.hpp"
 #include "growth.hpp"
 
 #include "ramify/theory/strahler_constant.hpp"
@@ -47,10 +51,14 @@ std::vector<ClaimPart> catalan_order_parts() {
   using Approach = GrowthLadder::Approach;
   const Model catalan = Model::parse("catalan");
   const StatisticInfo& order = statistic::strahler;
-  return {{mean_growth(catalan), catalan, &order,
-           growth_basis({catalan, {&order, Rungs::medians, Approach::settles, largest_catalan}})},
-          {bounded_variance(), catalan, &order,
-           growth_basis({catalan, {&order, Rungs::variances, Approach::settles, largest_catalan}})}};
+  std::vector<ClaimPart> parts{
+      {mean_growth(catalan), catalan, &order,
+       growth_basis({catalan, {&order, Rungs::medians, Approach::settles, largest_catalan}})},
+      {bounded_variance(), catalan, &order,
+       growth_basis({catalan, {&order, Rungs::variances, Approach::settles, largest_catalan}})}};
+  for (auto more : {catalan_fluctuation_parts(), catalan_count_parts()})
+    std::ranges::move(more, std::back_inserter(parts));
+  return parts;
 }
 
 }  // namespace

@@ -108,7 +108,11 @@ const std::vector<Claim>& claims() {
                                       bst_balance_claim(),
                                       bst_order_claim(),
                                       mean_split_order_claim(),
-                                      catalan_order_claim()};
+                                      catalan_order_claim(),
+                                      growth_ratio_claim(),
+                                      lung_claim(),
+                                      equivalence_claim(),
+                                      second_law_claim()};
   return all;
 }
 

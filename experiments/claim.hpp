@@ -108,5 +108,9 @@ Claim bst_balance_claim();
 Claim bst_order_claim();
 Claim mean_split_order_claim();
 Claim catalan_order_claim();
+Claim growth_ratio_claim();
+Claim lung_claim();
+Claim equivalence_claim();
+Claim second_law_claim();
 
 }  // namespace ramify

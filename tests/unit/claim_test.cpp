@@ -9,6 +9,7 @@
 #include <set>
 
 #include "ledger.hpp"
+#include "lung.hpp"
 #include "served_configs.hpp"
 #include "support/columns.hpp"
 #include "support/error_of.hpp"
@@ -175,6 +176,17 @@ TEST(Claims, DeclareTheirPartsWithRivalsThatAreNotTheirTheory) {
   }
   const CsvData listed = CsvData::parse(write_csv(claim_table()), "list claims");
   EXPECT_EQ(listed.rows(), names.size());
+}
+
+TEST(Claims, HaveTheLungAsItsTablePrintsIt) {
+  const CsvData lung = CsvData::read(std::string(RAMIFY_SOURCE_DIR) + "/data/lung.csv");
+  ASSERT_EQ(lung.rows(), 2u);
+  for (std::size_t row = 0; row < lung.rows(); ++row) {
+    const LungTree& tree = lung.text(row, "name") == "bronchial tree" ? bronchial_tree : pulmonary_artery;
+    EXPECT_EQ(lung.real(row, "ratio"), tree.bifurcation.value);
+    EXPECT_EQ(lung.real(row, "diameter_ratio"), tree.diameter.value);
+    EXPECT_EQ(lung.count(row, "max_order_high"), lung_orders);
+  }
 }
 
 /// Three verdicts, the second refuted.
