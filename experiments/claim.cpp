@@ -103,6 +103,8 @@ const std::vector<Claim>& claims() {
                                       fixed_split_ratio_claim(),
                                       first_order_claim(),
                                       patricia_order_claim(),
+                                      fair_fill_claim(),
+                                      trie_fill_claim(),
                                       patricia_fill_claim(),
                                       bst_fill_claim(),
                                       bst_balance_claim(),
