@@ -103,6 +103,7 @@ const std::vector<Claim>& claims() {
                                       fixed_split_ratio_claim(),
                                       first_order_claim(),
                                       patricia_order_claim(),
+                                      trie_balance_claim(),
                                       fair_fill_claim(),
                                       trie_fill_claim(),
                                       patricia_fill_claim(),

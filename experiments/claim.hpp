@@ -102,6 +102,7 @@ Claim fixed_split_order_claim();
 Claim fixed_split_ratio_claim();
 Claim first_order_claim();
 Claim patricia_order_claim();
+Claim trie_balance_claim();
 Claim fair_fill_claim();
 Claim trie_fill_claim();
 Claim patricia_fill_claim();

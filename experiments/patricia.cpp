@@ -1,6 +1,9 @@
 #include "patricia.hpp"
 
+#include <algorithm>
 #include <cmath>
+
+#include <fmt/format.h>
 
 #include "ramify/theory/depth_constant.hpp"
 
@@ -15,6 +18,18 @@ std::vector<GrowthCase> patricia_cases(const StatisticInfo& statistic, double la
   for (const char* model : {"patricia(1/2.74)", "patricia(0.23)", "patricia(1/4.8)"})
     cases.push_back({Model::parse(model), {&statistic, Rungs::medians, Approach::drifts, largest}});
   return cases;
+}
+
+std::function<Basis(const Evidence&)> above_fair_fill_level(std::string_view letter, double largest_even) {
+  const GrowthCase fill_level = patricia_cases(statistic::fill_level, largest_even).front();
+  return [letter = std::string(letter), below = growth_basis(fill_level)](const Evidence& evidence) {
+    Basis basis = below(evidence);
+    basis.interval.upper = 1 / std::log(2.0);
+    basis.estimate = std::min(basis.estimate, basis.interval.upper);
+    basis.method =
+        fmt::format("{0}_n <= log2(n+1) in every tree; from below F_n <= {0}_n, {1}", letter, basis.method);
+    return basis;
+  };
 }
 
 std::vector<NamedValue> rival_patricia_orders(const Model& model) {
