@@ -115,7 +115,8 @@ const std::vector<Claim>& claims() {
                                       growth_ratio_claim(),
                                       lung_claim(),
                                       equivalence_claim(),
-                                      second_law_claim()};
+                                      second_law_claim(),
+                                      recipe_claim()};
   return all;
 }
 

@@ -115,5 +115,6 @@ Claim growth_ratio_claim();
 Claim lung_claim();
 Claim equivalence_claim();
 Claim second_law_claim();
+Claim recipe_claim();
 
 }  // namespace ramify
