@@ -75,8 +75,8 @@ constexpr std::array zone_probabilities{1 / 2.74, 0.23, 1 / 4.8};
 constexpr std::array zone_epsilons{0.2, 0.35, 0.5};
 
 /// The largest excess over sizes, p and epsilon.
-Basis worst_excess(Excess excess, const std::vector<Size>& sizes, Size with_order,
-                   const Cancellation& cancellation) {
+Basis worst_zone_excess(Excess excess, const std::vector<Size>& sizes, Size with_order,
+                        const Cancellation& cancellation) {
   double worst = -HUGE_VAL;
   TrieZoneRule where{};
   for (const double p : zone_probabilities) {
@@ -118,8 +118,8 @@ ClaimPart zone_part(std::size_t number, const char* text, const char* source, Ex
   const bool takes_order = excess == exceptions_excess;
   return part_without_trees(std::move(statement), [excess, takes_order](const Evidence& evidence) {
     constexpr Size each = 200, largest = 4096, largest_without = Size{1} << 50;
-    return worst_excess(excess, zone_sizes(each, takes_order ? largest : largest_without),
-                        takes_order ? largest : 0, evidence.cancellation);
+    return worst_zone_excess(excess, zone_sizes(each, takes_order ? largest : largest_without),
+                             takes_order ? largest : 0, evidence.cancellation);
   });
 }
 

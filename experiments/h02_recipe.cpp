@@ -102,7 +102,7 @@ Basis ratio_of_one_tree(const Model& patricia, Size n, const Cancellation& cance
           fmt::format("trees of more than {} nodes", n)};
 }
 
-Statement first_ratio(std::size_t number, double ratio) {
+Statement claimed_first_ratio(std::size_t number, double ratio) {
   const Model patricia = patricia_of_ratio(ratio);
   return {fmt::format("H2.{}", number),
           fmt::format("E M_0/E M_1 -> 1/p, {}", patricia.text()),
@@ -115,7 +115,7 @@ Statement first_ratio(std::size_t number, double ratio) {
           NamedValue{"h/(pq)", first_stream_ratio(patricia)}};
 }
 
-Statement late_ratio(std::size_t number, double ratio) {
+Statement claimed_late_ratio(std::size_t number, double ratio) {
   const Model patricia = patricia_of_ratio(ratio);
   return {fmt::format("H2.{}", number),
           fmt::format("lim E M_(k-1)/E M_k -> 1/p as k grows, {}", patricia.text()),
@@ -154,12 +154,13 @@ Claim recipe_claim() {
   std::vector<ClaimPart> parts;
   for (const double ratio : {apple, lung})
     parts.push_back(
-        part_without_trees(first_ratio(parts.size() + 1, ratio), [ratio](const Evidence& evidence) {
+        part_without_trees(claimed_first_ratio(parts.size() + 1, ratio), [ratio](const Evidence& evidence) {
           return first_ratio_limit(patricia_of_ratio(ratio), evidence.cancellation);
         }));
-  parts.push_back(part_without_trees(late_ratio(parts.size() + 1, apple), [](const Evidence& evidence) {
-    return late_ratio_limit(patricia_of_ratio(apple), evidence.cancellation);
-  }));
+  parts.push_back(
+      part_without_trees(claimed_late_ratio(parts.size() + 1, apple), [](const Evidence& evidence) {
+        return late_ratio_limit(patricia_of_ratio(apple), evidence.cancellation);
+      }));
   for (const auto& [species, ratio, n] :
        {RecipeCase{"the apple", apple, 579}, RecipeCase{"the bronchial tree", lung, 1000}})
     parts.push_back(part_without_trees(

@@ -25,7 +25,7 @@ char zone_by_words(const std::string& word, const TrieZoneRule& rule) {
   return mean > std::pow(n, -rule.epsilon) ? 'b' : 'c';
 }
 
-double choose(Size n, Size k) {
+double ways_to_choose(Size n, Size k) {
   double ways = 1;
   for (Size i = 0; i < k; ++i) ways *= static_cast<double>(n - i) / static_cast<double>(i + 1);
   return ways;
@@ -35,7 +35,8 @@ double choose(Size n, Size k) {
 double binomial_from(Size n, double q, Size m) {
   double sum = 0;
   for (Size k = m; k <= n; ++k)
-    sum += choose(n, k) * std::pow(q, static_cast<double>(k)) * std::pow(1 - q, static_cast<double>(n - k));
+    sum += ways_to_choose(n, k) * std::pow(q, static_cast<double>(k)) *
+           std::pow(1 - q, static_cast<double>(n - k));
   return sum;
 }
 
@@ -46,7 +47,7 @@ double of_siblings(Size n, double q, double r, Relation relation) {
   for (Size k = 0; k <= n; ++k)
     for (Size l = 0; k + l <= n; ++l)
       if (relation(k, l))
-        sum += choose(n, k) * choose(n - k, l) * std::pow(q, static_cast<double>(k)) *
+        sum += ways_to_choose(n, k) * ways_to_choose(n - k, l) * std::pow(q, static_cast<double>(k)) *
                std::pow(r, static_cast<double>(l)) *
                std::pow(std::max(0.0, 1 - q - r), static_cast<double>(n - k - l));
   return sum;
