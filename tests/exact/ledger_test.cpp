@@ -37,6 +37,7 @@ void expect_rivals_refused(const Verdict& verdict) {
   if (verdict.decision != Decision::refuted || !statement.instead) return;
   Statement truth = statement;
   truth.theory = statement.instead->value;
+  truth.relation = Relation::equals;
   EXPECT_EQ(judge(truth, basis.interval), Decision::reproduced) << "what is said to hold instead";
 }
 
