@@ -96,8 +96,8 @@ TEST(CountFiles, WhatIsNotReadIsSaid) {
     return fmt::format("{}", fmt::join(orders.front().warnings, "\n"));
   };
   EXPECT_EQ(warnings("order,count\n1,6\n2,2\n3,1\n"), "");
-  EXPECT_EQ(warnings("order,count,area,Q\n1,6,1,1\n2,2,1,1\n3,1,1,1\ntotal,9,4,4\n"),
-            "f: ignored: 1 row of totals, columns area, Q");
+  EXPECT_EQ(warnings("order,count,slope,Q\n1,6,1,1\n2,2,1,1\n3,1,1,1\ntotal,9,4,4\n"),
+            "f: ignored: 1 row of totals, columns slope, Q");
   EXPECT_EQ(warnings("order,count\n1,6\n2,2\n3,1\ntotal,10\n"),
             "f: the total is 10, the counts of the orders sum to 9\nf: ignored: 1 row of totals");
 }
