@@ -82,7 +82,7 @@ void walk_words(const std::string& word, std::uint64_t b_above, const TrieZoneRu
 
 TEST(TrieZoneCounts, AreThoseOfEveryWord) {
   for (const double p : {0.23, 0.41})
-    for (const Size n : {Size{2}, Size{7}, Size{24}}) {
+    for (const Size n : {Size{3}, Size{7}, Size{24}}) {
       const TrieZoneRule rule{n, p, 0.3};
       ByWords expected;
       walk_words("", 0, rule, expected);
