@@ -91,7 +91,7 @@ Basis ratio_of_one_tree(const Model& patricia, Size n, const Cancellation& cance
   const double ratio = law_ratio(estimator, counts), deviation = law_ratio_deviation(estimator, counts);
   const double scatter = simultaneous_sigmas(0.01, 1) * deviation;
   return {EvidenceKind::exact,
-          Standing::proved,
+          Standing::extrapolated,
           ratio,
           {ratio - scatter, ratio + scatter},
           static_cast<double>(n),
