@@ -17,7 +17,7 @@ constexpr std::array tail_levels{0.01, 0.05, 0.1};
 
 /// Shares of trees whose p-value is at most each level.
 std::array<double, tail_levels.size()> rejected(const char* model, Size n, const char* family,
-                                           std::uint64_t trees) {
+                                                std::uint64_t trees) {
   const Cancellation never;
   const Family* const of = &find_family(family);
   std::array<double, tail_levels.size()> shares{};

@@ -37,8 +37,8 @@ struct FittedDatum {
   Given given = Given::size;    ///< in every likelihood of the fits: those of other data cannot be compared
 };
 
-/// The families that `--model` names: one, several between commas, or all of families(). Throws Error, nearest
-/// names given.
+/// The families that `--model` names: one, several between commas, or all of families(). Throws Error,
+/// nearest names given.
 /// @param known  that may be named: all_families(), or families(), those given the size
 std::vector<const Family*> chosen_families(std::string_view names, std::span<const Family> known);
 
