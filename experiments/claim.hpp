@@ -56,7 +56,8 @@ ClaimPart part_without_trees(Statement statement, std::function<Basis(const Evid
 ///
 /// What decides a part is its basis, mostly exact laws; trees are sampled, by the configs that serve the
 /// claim (`claim = "C20"`, or several: "C6 C7"), to hold the samplers against the laws, and for the plots. A
-/// new claim is one file here, a line in claims() and a config in configs/quick and configs/full.
+/// new claim is one file here, a line in claim.cpp and, where trees are sampled, a config in configs/quick
+/// and configs/full.
 struct Claim {
   std::string_view id;  ///< number in docs/catalogue.md, "C20"
   std::string_view statement;
@@ -70,8 +71,12 @@ struct Claim {
   bool takes_trees() const;
 };
 
-/// All claims, in the order of the catalogue.
-const std::vector<Claim>& claims();
+/// All claims, in the order of the catalogue. A claim is made when it is first asked for: theory values and
+/// rivals of all of them take two seconds.
+std::vector<const Claim*> claims();
+
+/// Those of these numbers, likewise; what is no claim's number is passed over.
+std::vector<const Claim*> claims_among(const std::function<bool(std::string_view id)>& is_wanted);
 
 /// The claims that a config's `claim` key or --claim names, in either case, a part (C20.2) for its whole;
 /// throws Error for an unknown one (nearest names given).

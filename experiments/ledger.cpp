@@ -60,10 +60,7 @@ void Ledger::add(const RunConfig& config, const CheckedRun& run) {
 }
 
 std::vector<const Claim*> Ledger::served() const {
-  std::vector<const Claim*> found;
-  for (const auto& claim : claims())
-    if (models_.contains(claim.id)) found.push_back(&claim);
-  return found;
+  return claims_among([this](std::string_view id) { return models_.contains(id); });
 }
 
 SamplerCheck Ledger::sampler_check(const Claim& claim, const ClaimPart& part) const {

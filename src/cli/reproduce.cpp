@@ -31,10 +31,8 @@ fs::path config_folder(const ReproduceArguments& options) {
 
 /// The claims of --claim, else all.
 std::vector<const Claim*> asked_for(const ReproduceArguments& options) {
-  auto asked = find_claims(options.claim);
-  if (asked.empty())
-    for (const auto& claim : claims()) asked.push_back(&claim);
-  return asked;
+  const auto asked = find_claims(options.claim);
+  return asked.empty() ? claims() : asked;
 }
 
 std::vector<RunConfig> configs_of(const ReproduceArguments& options) {

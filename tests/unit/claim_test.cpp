@@ -36,8 +36,8 @@ TEST(Claims, EveryOneThatTakesTreesHasAConfigWithWhatItNeedsAtBothScales) {
     for (const auto& entry :
          std::filesystem::directory_iterator(std::string(RAMIFY_SOURCE_DIR) + "/configs/" + scale))
       for (const Claim* claim : served_claims(read_run_config(entry.path()))) served.insert(claim->id);
-    for (const auto& claim : claims())
-      EXPECT_EQ(served.contains(claim.id), claim.takes_trees()) << claim.id << ' ' << scale;
+    for (const Claim* claim : claims())
+      EXPECT_EQ(served.contains(claim->id), claim->takes_trees()) << claim->id << ' ' << scale;
   }
 }
 
@@ -165,11 +165,12 @@ TEST(Ledger, APartThatCannotBeJudgedIsNamed) {
 
 TEST(Claims, DeclareTheirPartsWithRivalsThatAreNotTheirTheory) {
   std::set<std::string> names;
-  for (const auto& claim : claims()) {
-    EXPECT_FALSE(claim.parts.empty()) << claim.id;
-    for (const auto& part : claim.parts) {
+  for (const Claim* claim : claims()) {
+    EXPECT_FALSE(claim->parts.empty()) << claim->id;
+    EXPECT_EQ(find_claims(claim->id), std::vector{claim});
+    for (const auto& part : claim->parts) {
       const Statement& statement = part.statement;
-      EXPECT_TRUE(statement.part.starts_with(std::string(claim.id) + ".")) << statement.part;
+      EXPECT_TRUE(statement.part.starts_with(std::string(claim->id) + ".")) << statement.part;
       EXPECT_TRUE(names.insert(statement.part).second) << statement.part;
       for (const auto& rival : statement.rivals) EXPECT_NE(rival.value, statement.theory) << statement.part;
     }
