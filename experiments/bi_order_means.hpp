@@ -36,18 +36,4 @@ class BiOrderMeans {
   std::map<std::pair<std::size_t, std::size_t>, SizeSeries> joined_;
 };
 
-/// A quantity c + d/n + O(1/n^2) at n -> infinity, by its values at n = largest, /2, /4: two of them give c,
-/// and what the other two give instead is the bound.
-struct Extrapolated {
-  double value, bound;
-};
-template <class ValueAt>
-Extrapolated at_infinity(Size largest, ValueAt value_at) {
-  constexpr double rounding = 1e-10;
-  const double last = value_at(largest), middle = value_at(largest / 2), first = value_at(largest / 4);
-  const double value = 2 * last - middle;
-  const double change = value - (2 * middle - first);
-  return {value, (change < 0 ? -change : change) + rounding};
-}
-
 }  // namespace ramify

@@ -14,11 +14,13 @@
 namespace ramify {
 namespace {
 
+constexpr const char* convention_of_balance = "most edges to a smaller-or-equal child on a path";
+
 Statement printed_bound(const Model& bst) {
   return {"C19.1",
           "P{B_n >= (1+eps) log_3 n} -> 0, bst",
           "K96 Theorem C.2",
-          "most edges to a smaller-or-equal child on a path",
+          convention_of_balance,
           Relation::at_most,
           "1/log 3",
           1 / std::log(3.0),
@@ -30,7 +32,7 @@ Statement optimised_bound(const Model& bst) {
   return {"C19.2",
           "B_n ~ 1.0262 log n, bst",
           "Biggins 1978; docs/theory/balance.md",
-          "most edges to a smaller-or-equal child on a path",
+          convention_of_balance,
           Relation::equals,
           "min over t > 1 of t/log(1 + (t-1) 2^t)",
           balance_constant(bst).value().value,

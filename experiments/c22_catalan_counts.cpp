@@ -8,8 +8,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "at_infinity.hpp"
 #include "bi_order_means.hpp"
 #include "catalan_counts.hpp"
+#include "exact_range.hpp"
 #include "order_ratio_limit.hpp"
 #include <fmt/format.h>
 
@@ -19,7 +21,7 @@
 namespace ramify {
 namespace {
 
-constexpr Size largest_counted = 4096;
+constexpr Size largest_counted_tree = 4096;
 constexpr std::size_t highest_row = 4;
 
 Statement of_counts(int part, std::string text, std::string source, std::string conventions) {
@@ -34,39 +36,22 @@ Statement of_counts(int part, std::string text, std::string source, std::string 
           std::nullopt};
 }
 
-Basis of_largest(const LargestOf& largest, EvidenceKind kind, Standing standing, std::string method) {
-  return {kind,
-          standing,
-          largest.value(),
-          largest.interval(),
-          static_cast<double>(largest_counted),
-          std::move(method),
-          "larger sizes"};
-}
-
 Basis first_ratio(const Cancellation& cancellation) {
-  const auto means =
-      build_law(Model::parse("catalan"), largest_counted, OrderMeans(largest_counted), cancellation);
+  const auto means = build_law(Model::parse("catalan"), largest_counted_tree,
+                               OrderMeans(largest_counted_tree), cancellation);
   constexpr double error = 1e-11;
   LargestOf worst;
-  for (Size n = 2; n <= largest_counted; ++n) {
+  for (Size n = 2; n <= largest_counted_tree; ++n) {
     const auto streams = means.streams(n);
     worst.add(streams[0] / streams[1] - (4 - 2 / static_cast<double>(n)), error);
   }
-  return of_largest(worst, EvidenceKind::exact, Standing::proved,
-                    fmt::format("exact expected counts at every n from 2 to {}", largest_counted));
+  return worst.basis(EvidenceKind::exact, Standing::proved, static_cast<double>(largest_counted_tree),
+                     fmt::format("exact expected counts at every n from 2 to {}", largest_counted_tree));
 }
 
 BiOrderMeans catalan_bi_orders(const Cancellation& cancellation) {
-  return build_law(Model::parse("catalan"), largest_counted, BiOrderMeans(highest_row, largest_counted),
-                   cancellation);
-}
-
-std::string extrapolated_method() {
-  return fmt::format(
-      "exact expected counts at n = {}, {}, {}, the term in 1/n taken off; bound: what two of "
-      "them give less than the other two",
-      largest_counted / 4, largest_counted / 2, largest_counted);
+  return build_law(Model::parse("catalan"), largest_counted_tree,
+                   BiOrderMeans(highest_row, largest_counted_tree), cancellation);
 }
 
 /// 2^-(low+1), and of two of the order below 2^-k.
@@ -79,10 +64,12 @@ Basis matrix_rows(const Cancellation& cancellation) {
   LargestOf worst;
   for (std::size_t k = 1; k <= highest_row; ++k)
     for (std::size_t low = 0; low <= k; ++low) {
-      const auto limit = at_infinity(largest_counted, [&](Size n) { return means.ramification(n, k, low); });
+      const auto limit =
+          at_infinity(largest_counted_tree, [&](Size n) { return means.ramification(n, k, low); });
       worst.add(limit.value - matrix_entry(k, low), limit.bound);
     }
-  return of_largest(worst, EvidenceKind::limit, Standing::extrapolated, extrapolated_method());
+  return worst.basis(EvidenceKind::limit, Standing::extrapolated, static_cast<double>(largest_counted_tree),
+                     counts_at_infinity(largest_counted_tree));
 }
 
 Basis tokunaga_numbers(const Cancellation& cancellation) {
@@ -90,10 +77,12 @@ Basis tokunaga_numbers(const Cancellation& cancellation) {
   LargestOf worst;
   for (std::size_t high = 1; high <= highest_row; ++high)
     for (std::size_t low = 0; low < high; ++low) {
-      const auto limit = at_infinity(largest_counted, [&](Size n) { return means.tokunaga(n, high, low); });
+      const auto limit =
+          at_infinity(largest_counted_tree, [&](Size n) { return means.tokunaga(n, high, low); });
       worst.add(limit.value - std::pow(2.0, static_cast<double>(high - low - 1)), limit.bound);
     }
-  return of_largest(worst, EvidenceKind::limit, Standing::extrapolated, extrapolated_method());
+  return worst.basis(EvidenceKind::limit, Standing::extrapolated, static_cast<double>(largest_counted_tree),
+                     counts_at_infinity(largest_counted_tree));
 }
 
 /// A part of that basis.

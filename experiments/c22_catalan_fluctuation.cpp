@@ -71,15 +71,11 @@ Period exact_period(const Cancellation& cancellation) {
 }
 
 Basis of_period(double value, double error) {
-  return {EvidenceKind::limit,
-          Standing::extrapolated,
-          value,
-          {value - error, value + error},
-          4 * period_start,
-          fmt::format("E S_n - log_4 n at eight sizes evenly over the period from n = {:.0e} on; bound: the "
-                      "errors of the laws",
-                      period_start),
-          "larger sizes"};
+  return extrapolated(
+      value, error, 4 * period_start,
+      fmt::format("E S_n - log_4 n at eight sizes evenly over the period from n = {:.0e} on; bound: the "
+                  "errors of the laws",
+                  period_start));
 }
 
 Statement of_fluctuation(int part, std::string text, std::string formula, double theory) {

@@ -9,7 +9,9 @@
 //   C23.9  Side branches of BSTs are no geometric sequence, as Tokunaga's law has them (1978).
 #include <cmath>
 
+#include "at_infinity.hpp"
 #include "bi_order_means.hpp"
+#include "exact_range.hpp"
 #include "order_ratio_limit.hpp"
 #include <fmt/format.h>
 
@@ -43,26 +45,12 @@ Basis first_bst_ratio(const Evidence& evidence) {
   constexpr double error = 1e-11;
   LargestOf worst;
   for (Size n = 2; n <= largest_grown; ++n) worst.add(means.streams(n)[0] / means.streams(n)[1] - 3, error);
-  return {EvidenceKind::exact,
-          Standing::proved,
-          worst.value(),
-          worst.interval(),
-          largest_grown,
-          fmt::format("exact expected counts at every n from 2 to {}", largest_grown),
-          ""};
+  return worst.basis(EvidenceKind::exact, Standing::proved, largest_grown,
+                     fmt::format("exact expected counts at every n from 2 to {}", largest_grown), "");
 }
 
 Basis extrapolated_basis(const Extrapolated& limit) {
-  return {
-      EvidenceKind::limit,
-      Standing::extrapolated,
-      limit.value,
-      {limit.value - limit.bound, limit.value + limit.bound},
-      largest_grown,
-      fmt::format("exact expected counts at n = {}, {}, {}, the term in 1/n taken off; bound: what two of "
-                  "them give less than the other two",
-                  largest_grown / 4, largest_grown / 2, largest_grown),
-      "larger sizes"};
+  return extrapolated(limit.value, limit.bound, largest_grown, counts_at_infinity(largest_grown));
 }
 
 Basis second_bst_ratio(const Evidence& evidence) {

@@ -18,9 +18,9 @@
 #include <variant>
 #include <vector>
 
-#include "bi_order_means.hpp"
+#include "at_infinity.hpp"
 #include "claim.hpp"
-#include "order_ratio_limit.hpp"
+#include "exact_range.hpp"
 #include <fmt/format.h>
 
 #include "ramify/model/split_law.hpp"
@@ -85,18 +85,11 @@ SplitOf split_by_growth(Growth growth) {
 constexpr Growth terminal_growth{1, 0}, segmental_growth{2, 1}, stemless_growth{2, 0};
 
 Basis equal_laws(const LargestOf& largest, std::string method) {
-  return {EvidenceKind::exact, Standing::proved,  largest.value(), largest.interval(),
-          largest_compared,    std::move(method), "larger sizes"};
+  return largest.basis(EvidenceKind::exact, Standing::proved, largest_compared, std::move(method));
 }
 
 Basis tends_to(const Extrapolated& limit, double largest_n, std::string method) {
-  return {EvidenceKind::limit,
-          Standing::extrapolated,
-          limit.value,
-          {limit.value - limit.bound, limit.value + limit.bound},
-          largest_n,
-          std::move(method),
-          "nearer to the limit"};
+  return extrapolated(limit.value, limit.bound, largest_n, std::move(method), "nearer to the limit");
 }
 
 /// beta_multinomial(p s, (1-p) s) with p = 0.23, from Bin(n-1,p): c/s + O(1/s^2).

@@ -35,4 +35,26 @@ class ExactRange {
   Interval range_{HUGE_VAL, -HUGE_VAL};
 };
 
+/// The largest |x_i| where every x_i is known up to an error: of a statement that all of them are 0.
+class LargestOf {
+ public:
+  void add(double value, double error) {
+    value_ = std::fmax(value_, std::abs(value));
+    lower_ = std::fmax(lower_, std::abs(value) - error);
+    upper_ = std::fmax(upper_, std::abs(value) + error);
+  }
+
+  double value() const { return value_; }
+  /// Of its true value.
+  Interval interval() const { return {lower_, upper_}; }
+
+  Basis basis(EvidenceKind evidence, Standing standing, double largest_n, std::string method,
+              std::string left_open = "larger sizes") const {
+    return {evidence, standing, value_, interval(), largest_n, std::move(method), std::move(left_open)};
+  }
+
+ private:
+  double value_ = 0, lower_ = 0, upper_ = 0;
+};
+
 }  // namespace ramify

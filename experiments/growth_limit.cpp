@@ -55,15 +55,10 @@ Basis by_moments(const Model& model, const GrowthLadder& ladder, const Cancellat
     points.push_back({std::log(n), value.value, value.error});
   }
   const LimitSlope slope = limit_slope(points, ladder.approach);
-  return {EvidenceKind::limit,
-          Standing::extrapolated,
-          slope.value,
-          {slope.value - slope.bound, slope.value + slope.bound},
-          ladder.largest_n,
-          fmt::format("slope of the {} on log n at n = {:.3g}, {:.3g}, ..., {:.3g}: {}",
-                      ladder.rungs == Rungs::means ? "mean" : "variance", sizes[0], sizes[1], sizes.back(),
-                      in_words(slope, ladder.approach)),
-          "larger sizes"};
+  return extrapolated(slope.value, slope.bound, ladder.largest_n,
+                      fmt::format("slope of the {} on log n at n = {:.3g}, {:.3g}, ..., {:.3g}: {}",
+                                  ladder.rungs == Rungs::means ? "mean" : "variance", sizes[0], sizes[1],
+                                  sizes.back(), in_words(slope, ladder.approach)));
 }
 
 /// The last rungs, or some between a quarter of the way and the last, evenly in log k.

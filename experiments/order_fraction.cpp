@@ -24,15 +24,11 @@ Basis settled(const std::function<Approximation(double n)>& value, std::string_v
     const Approximation before = value(largest_fraction_size / part);
     bound = std::max(bound, 2 * std::abs(before.value - last.value) + before.error + last.error);
   }
-  return {EvidenceKind::limit,
-          Standing::extrapolated,
-          last.value,
-          {last.value - bound, last.value + bound},
-          largest_fraction_size,
-          fmt::format(
-              "{} at n = {:.0e}; bound: twice its change from n/64, n/16, n/4, and the errors of the laws",
-              what, largest_fraction_size),
-          "larger sizes"};
+  return extrapolated(
+      last.value, bound, largest_fraction_size,
+      fmt::format(
+          "{} at n = {:.0e}; bound: twice its change from n/64, n/16, n/4, and the errors of the laws", what,
+          largest_fraction_size));
 }
 
 LargeOrders orders_of(const Model& model, const Cancellation& cancellation) {

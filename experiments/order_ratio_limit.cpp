@@ -66,10 +66,4 @@ std::function<Basis(const Evidence&)> order_ratio_limit(const Model& model, Orde
   return [model, of](const Evidence& evidence) { return ratio_basis(model, of, evidence.cancellation); };
 }
 
-void LargestOf::add(double value, double error) {
-  value_ = std::max(value_, std::abs(value));
-  lower_ = std::max(lower_, std::abs(value) - error);
-  upper_ = std::max(upper_, std::abs(value) + error);
-}
-
 }  // namespace ramify

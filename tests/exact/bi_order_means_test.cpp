@@ -5,7 +5,8 @@
 #include <map>
 #include <utility>
 
-#include "order_ratio_limit.hpp"
+#include "at_infinity.hpp"
+#include "exact_range.hpp"
 #include "support/definitions.hpp"
 #include "support/shape.hpp"
 #include <gtest/gtest.h>

@@ -3,6 +3,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ramify/compare/evidence_kind.hpp"
@@ -45,6 +46,13 @@ struct Basis {
   std::string left_open;         ///< what would decide it where the interval does not
   double standard_error = none;  ///< of what was sampled
 };
+
+/// A limit by numbers that are taken to go on as they did: value +- bound.
+inline Basis extrapolated(double value, double bound, double largest_n, std::string method,
+                          std::string left_open = "larger sizes") {
+  return {EvidenceKind::limit, Standing::extrapolated, value, {value - bound, value + bound}, largest_n,
+          std::move(method),   std::move(left_open)};
+}
 
 struct Finding {
   Statement statement;
