@@ -10,6 +10,7 @@
 #include "ramify/fit/fit_table.hpp"
 #include "ramify/fit/ratio_fitter.hpp"
 #include "ramify/io/csv_writer.hpp"
+#include "ramify/sample/sampling_method.hpp"
 
 namespace ramify {
 namespace {
@@ -192,8 +193,7 @@ TEST(FitRatio, MeetsItselfWhereAveragingBegins) {
     return ResponseSurface(Patricia::info(), n, test::seed_of("averaging"), 2, cancellation)
         .sample(std::span(&request, 1))[0];
   };
-  const ResponsePoint counted = at(ResponseSurface::largest_counted),
-                      averaged = at(ResponseSurface::largest_counted + 1);
+  const ResponsePoint counted = at(largest_counted), averaged = at(largest_counted + 1);
   for (std::size_t e = 0; e < ratio_estimator_count; ++e) {
     const ResponseSummary &a = counted.summary[e], &b = averaged.summary[e];
     // Of trees of one order the geometric ratio is a function of n alone.

@@ -1,34 +1,33 @@
 #include "ramify/design/pooled_ratio.hpp"
 
+#include <vector>
+
 #include "ramify/core/contract.hpp"
 #include "ramify/large/large_orders.hpp"
 #include "ramify/large/large_reach.hpp"
+#include "ramify/large/stream_counts.hpp"
 #include "ramify/law/build_law.hpp"
 #include "ramify/law/order_means.hpp"
 
 namespace ramify {
 namespace {
 
-/// E M_1 + E M_2 + ...: summed from the top, the smallest first.
-double streams_above_tips(const Model& model, Size n, const Cancellation& cancellation) {
-  double sum = 0;
-  if (n <= large_law_table(model)) {
-    const auto means = build_law(model, n, OrderMeans(n), cancellation).streams(n);
-    for (std::size_t k = means.size() - 1; k > 0; --k) sum += means[k];
-    return sum;
-  }
+/// E M_0, E M_1, ..., as exactly as they are known (stream_means is coarser, and faster).
+std::vector<double> expected_streams(const Model& model, Size n, const Cancellation& cancellation) {
+  if (n <= large_law_table(model)) return build_law(model, n, OrderMeans(n), cancellation).streams(n);
   const auto size = static_cast<double>(n);
-  const auto means = LargeOrders(model, {size}, cancellation).means(size, OrderCount::Of::streams);
-  for (std::size_t k = means.size() - 1; k > 0; --k) sum += means[k].value;
-  return sum;
+  std::vector<double> means;
+  for (const Approximation& mean :
+       LargeOrders(model, {size}, cancellation).means(size, OrderCount::Of::streams))
+    means.push_back(mean.value);
+  return means;
 }
 
 }  // namespace
 
 double expected_pooled_ratio(const Model& model, Size n, const Cancellation& cancellation) {
   RAMIFY_EXPECTS(model.is_split() && n >= 1);
-  const double above = streams_above_tips(model, n, cancellation);
-  return (static_cast<double>(n) + above) / above;  // M_0 = n+1
+  return pooled_ratio_of_means(expected_streams(model, n, cancellation));
 }
 
 }  // namespace ramify

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <span>
 
 #include "ramify/core/parallel.hpp"
@@ -14,12 +13,6 @@ namespace ramify {
 namespace {
 
 constexpr double relative_step = 1e-5;  // of a count or parameter, for central differences
-
-double pooled_ratio_of(std::span<const double> means) {
-  const double above = std::accumulate(means.begin() + 1, means.end(), 0.0);
-  const double top = 1;  // every tree has one stream of its highest order
-  return (means.front() + above - top) / above;
-}
 
 double regression_of(std::span<const double> means, std::span<const double> order_tail) {
   double weights = 0, centre = 0;
@@ -42,7 +35,7 @@ StreamMeans expected_counts(const ModelInfo& model, double p, Size n, const Canc
 
 double law_ratio(LawEstimator estimator, const StreamMeans& counts) {
   if (counts.orders() < 2) return std::numeric_limits<double>::quiet_NaN();
-  return estimator == LawEstimator::streams_pooled_ratio ? pooled_ratio_of(counts.means)
+  return estimator == LawEstimator::streams_pooled_ratio ? pooled_ratio_of_means(counts.means)
                                                          : regression_of(counts.means, counts.order_tail);
 }
 
@@ -58,11 +51,7 @@ double law_ratio_deviation(LawEstimator estimator, const StreamCounts& counts) {
     slopes[k] = (above - law_ratio(estimator, moved)) / (2 * step);
     moved.means[k] = counts.means[k];
   }
-  double variance = 0;
-  for (std::size_t j = 1; j < counts.orders(); ++j)
-    for (std::size_t k = 1; k < counts.orders(); ++k)
-      variance += slopes[j] * slopes[k] * counts.covariance(j, k);
-  return std::sqrt(std::max(variance, 0.0));
+  return counts.deviation(slopes);
 }
 
 LawRatios::LawRatios(const ModelInfo& model, Size n, const std::vector<double>& grid, unsigned threads,
@@ -91,9 +80,9 @@ std::pair<double, double> LawRatios::range(LawEstimator estimator) const {
   return {curve.lowest().y, curve.highest().y};
 }
 
-double LawRatios::deviation(LawEstimator estimator, double p) const {
-  return law_ratio_deviation(estimator,
-                             stream_counts(Model::make(*model_, std::span(&p, 1)), n_, *cancellation_));
+LawRatio LawRatios::at(LawEstimator estimator, double p) const {
+  const StreamCounts counts = stream_counts(Model::make(*model_, std::span(&p, 1)), n_, *cancellation_);
+  return {law_ratio(estimator, counts), law_ratio_deviation(estimator, counts)};
 }
 
 std::vector<LawRoot> LawRatios::roots(LawEstimator estimator, double observed) const {
@@ -101,7 +90,7 @@ std::vector<LawRoot> LawRatios::roots(LawEstimator estimator, double observed) c
   for (const double p : curves_[index_of(estimator)].solutions(observed)) {
     const double step = 1e-3 * p;
     const double slope = (value(estimator, p + step) - value(estimator, p - step)) / (2 * step);
-    found.push_back({p, deviation(estimator, p) / std::abs(slope)});
+    found.push_back({p, at(estimator, p).deviation / std::abs(slope)});
   }
   return found;
 }

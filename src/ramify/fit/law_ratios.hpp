@@ -21,6 +21,12 @@ double law_ratio(LawEstimator estimator, const StreamMeans& counts);
 /// their covariances. Right where the orders that it rests on have many streams.
 double law_ratio_deviation(LawEstimator estimator, const StreamCounts& counts);
 
+/// An estimator at one p.
+struct LawRatio {
+  double value;
+  double deviation;  ///< of the ratio over single trees
+};
+
 /// A parameter p at which the estimator is the observed ratio.
 struct LawRoot {
   double p;
@@ -47,8 +53,8 @@ class LawRatios {
   std::vector<LawRoot> roots(LawEstimator estimator, double observed) const;
 
   double value(LawEstimator estimator, double p) const;
-  /// Of the ratio over single trees of p.
-  double deviation(LawEstimator estimator, double p) const;
+  /// And how it scatters. Cost: stream_counts.
+  LawRatio at(LawEstimator estimator, double p) const;
   /// The lowest and highest value for p in the range of the grid.
   std::pair<double, double> range(LawEstimator estimator) const;
 

@@ -282,9 +282,8 @@ void RatioFitter::fit_by_law(const ResponseSurface& surface, const RatioDatum& d
     blank.observed = *datum.observed_by_law[e];
     blank.estimate = FitRow::none;
     blank.note = "by law, nothing is sampled; lower and upper by the delta method";
-    const double p = std::min(rule.estimate, 1 - rule.estimate), mean = laws.value(estimator, p);
-    const double reach = usual * laws.deviation(estimator, p);
-    set_rule(blank, {mean, 0, mean - reach, mean + reach});
+    const auto [mean, deviation] = laws.at(estimator, std::min(rule.estimate, 1 - rule.estimate));
+    set_rule(blank, {mean, 0, mean - usual * deviation, mean + usual * deviation});
     fit_by_law(laws, estimator, blank, rows);
   }
 }

@@ -44,17 +44,11 @@ ResponseSurface::ResponseSurface(const ModelInfo& model, Size n, std::uint64_t s
 }
 
 std::vector<ResponsePoint> ResponseSurface::sample(std::span<const ResponseRequest> requests) const {
-  const FoldSet pass = n_ <= largest_counted ? orders_and_height : orders_and_mean_counts;
   std::vector<GrowingJob> jobs;
   std::vector<std::vector<RatioValues>> values;
   for (const ResponseRequest& request : requests) {
-    jobs.push_back({Model::make(*model_, std::span(&request.p, 1)),
-                    n_,
-                    seed_,
-                    {pass, true},
-                    0,
-                    request.trees,
-                    most_trees});
+    jobs.push_back({Model::make(*model_, std::span(&request.p, 1)), n_, seed_, sampling_of_counts(n_), 0,
+                    request.trees, most_trees});
     values.emplace_back(request.trees);
   }
   grow_blocks(jobs, threads_, *cancellation_, [&](const Block& block, const BlockTrees& trees) {

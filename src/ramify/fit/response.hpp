@@ -65,11 +65,6 @@ class ResponseSurface {
 
   static constexpr double lowest_p = 0.01;
 
-  /// Above this n the counts of small subtrees are averaged (mean_counts.hpp). That changes the expected
-  /// ratio by less than a thousandth, and the spread of a tree's ratio by less than a hundredth of it
-  /// (docs/fitting.md).
-  static constexpr Size largest_counted = Size{1} << 20;
-
  private:
   const ModelInfo* model_;
   Size n_;

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "ramify/accumulate/real_summary.hpp"
-#include "ramify/fit/response.hpp"
 #include "ramify/sample/grow_blocks.hpp"
 
 namespace ramify {
@@ -40,8 +39,7 @@ ModelRatios::ModelRatios(const Model& model, std::span<const double> counts, con
       counts_(counts.begin(), counts.end()),
       trees_(plan.trees) {
   const Size n = static_cast<Size>(counts.front()) - 1;
-  const FoldSet pass = n <= ResponseSurface::largest_counted ? orders_and_height : orders_and_mean_counts;
-  const GrowingJob job{model, n, plan.seed, {pass, true}, 0, plan.trees, most_trees_of_a_block};
+  const GrowingJob job{model, n, plan.seed, sampling_of_counts(n), 0, plan.trees, most_trees_of_a_block};
   grow_blocks({job}, plan.threads, cancellation, [&](const Block&, const BlockTrees& grown) {
     grown.each([&](std::uint64_t replicate, const TreeMeasures& measures) {
       std::size_t orders = measures.strahler + std::size_t{1};
@@ -65,13 +63,10 @@ ModelRatio ModelRatios::by_law(RatioKind kind, OrderSpan orders) const {
   std::vector<double> rising(orders.size());
   for (std::size_t i = 0; i < rising.size(); ++i) rising[i] = law_.means[orders.last - i];
   const std::vector<double> slopes = log_slopes(kind, rising);
-  double variance = 0;
-  for (std::size_t i = 0; i < rising.size(); ++i)
-    for (std::size_t j = 0; j < rising.size(); ++j)
-      variance +=
-          slopes[i] * slopes[j] * law_.covariance(orders.last - i, orders.last - j) / (rising[i] * rising[j]);
+  std::vector<double> weights(law_.orders());
+  for (std::size_t i = 0; i < rising.size(); ++i) weights[orders.last - i] = slopes[i] / rising[i];
   const double mean = ratio_of(kind, rising);
-  return {mean, mean * std::sqrt(std::max(variance, 0.0))};
+  return {mean, mean * law_.deviation(weights)};
 }
 
 double ModelRatios::pooled_means() const {

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "ramify/core/contract.hpp"
 #include "ramify/core/error.hpp"
 #include "ramify/large/large_orders.hpp"
 #include "ramify/large/large_reach.hpp"
@@ -80,6 +81,21 @@ void require_stream_counts(const Model& model, Size n) {
 }
 
 }  // namespace
+
+double StreamCounts::deviation(std::span<const double> weights) const {
+  RAMIFY_EXPECTS(weights.size() == orders());
+  double variance = 0;
+  for (std::size_t j = 0; j < orders(); ++j)
+    for (std::size_t k = 0; k < orders(); ++k) variance += weights[j] * weights[k] * covariance(j, k);
+  return std::sqrt(std::max(variance, 0.0));
+}
+
+double pooled_ratio_of_means(std::span<const double> means) {
+  RAMIFY_EXPECTS(means.size() >= 2);
+  double above = 0;  // from the top, the smallest first
+  for (std::size_t k = means.size() - 1; k > 0; --k) above += means[k];
+  return (means.front() - 1 + above) / above;
+}
 
 std::string no_stream_counts(const Model& model, Size n) {
   if (!model.is_split()) return "no law of its counts is known";

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,15 @@ struct StreamCounts : StreamMeans {
   std::vector<double> covariances;  ///< Cov(M_j, M_k), row by row
 
   double covariance(std::size_t j, std::size_t k) const { return covariances[j * orders() + k]; }
+
+  /// The standard deviation of the sum of weights[k] M_k, k = 0..orders()-1: with the slopes of a function of
+  /// the counts for weights that of the function, by the delta method.
+  double deviation(std::span<const double> weights) const;
 };
+
+/// (E M_0 + E M_1 + ... - 1) / (E M_1 + E M_2 + ...): numerator and denominator are the expectations of those
+/// of the pooled ratio of one tree, whose highest order has one stream. Two orders at least.
+double pooled_ratio_of_means(std::span<const double> means);
 
 /// Nothing where stream_counts has an answer; else why it has none.
 std::string no_stream_counts(const Model& model, Size n);

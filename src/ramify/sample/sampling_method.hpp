@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ramify/statistic/statistic_set.hpp"
+#include "ramify/tree/grammar.hpp"
 
 namespace ramify {
 
@@ -39,6 +40,17 @@ constexpr SamplingMethod whole_trees(FoldSet pass) {
 /// One fold alone (and the size) has a pass of its own where it can be grafted or walked; others share the
 /// least of the sets above that holds them.
 SamplingMethod sampling_method(const StatisticSet& statistics, bool graft);
+
+/// The largest n whose trees are sampled with the counts of all their nodes, where ratios of counts are asked
+/// for again and again; above it the counts of small subtrees are averaged (mean_counts.hpp). That changes
+/// the expected ratio by less than a thousandth, and the spread of a tree's ratio by less than a hundredth of
+/// it (docs/fitting.md).
+inline constexpr Size largest_counted = Size{1} << 20;
+
+/// How trees are sampled for that.
+constexpr SamplingMethod sampling_of_counts(Size n) {
+  return {n <= largest_counted ? orders_and_height : orders_and_mean_counts, true};
+}
 
 /// Every node is grown, whatever the method says.
 constexpr bool is_streamed(FoldSet pass) {
