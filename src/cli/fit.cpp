@@ -2,6 +2,7 @@
 #include <array>
 #include <memory>
 
+#include "reading.hpp"
 #include "session.hpp"
 #include "verbs.hpp"
 #include <fmt/format.h>
@@ -214,12 +215,10 @@ void add_fit(Program& program) {
   verb.option("--plot", options->plot, "draw these pairs into this file, FILE.svg or FILE.png");
   verb.flag("--pooled", options->pooled, "one fit of all trees of a file, and not one of each");
   verb.option("--root", options->root, "of a table with trees: the id of the root, all, or neurites");
-  verb.option("--resolve", options->resolve,
-              "make forks of three and more into forks of two: ladder (in their order) or random");
+  add_resolve(verb, options->resolve);
   verb.option("--n", options->n, "internal nodes, in place of the size in a table of ratios");
   verb.option("--seed", options->seed, "seed", Need::defaulted);
-  verb.option("--threads", options->threads,
-              "threads; all cores if left out. The result does not depend on it");
+  add_threads(verb, options->threads);
   verb.option("--format", options->format,
               "table (aligned, with notes) or csv; auto: table on a terminal, else csv", Need::defaulted);
   options->output.add_table_to(verb);

@@ -54,8 +54,7 @@ void add_horton(Program& program) {
   verb.option("--trees", options->trees, "trees of the fitted model that are grown for errors and bias",
               Need::defaulted);
   verb.option("--seed", options->seed, "seed", Need::defaulted);
-  verb.option("--threads", options->threads,
-              "threads; all cores if left out. The result does not depend on it");
+  add_threads(verb, options->threads);
   options->output.add_table_to(verb);
   verb.example("Example: ramify horton data/new_hope_creek.csv");
   verb.work([options](const Cancellation& cancellation) { return horton(*options, cancellation); });

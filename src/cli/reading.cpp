@@ -17,6 +17,11 @@ unsigned small_number(const std::string& option, const std::string& text, std::u
 
 }  // namespace
 
+void add_resolve(Verb& verb, std::string& resolve) {
+  verb.option("--resolve", resolve,
+              "make forks of three and more into forks of two: ladder (in their order) or random");
+}
+
 void Reading::add_to(Verb& verb) {
   verb.option("FILE", files, "files of trees, or of counts of streams; - is standard input", Need::required);
   verb.option("--format", format,
@@ -28,8 +33,7 @@ void Reading::add_to(Verb& verb) {
               "the soma of a neuron");
   verb.option("--scale", scale, "of an MTG: the scale of the nodes; 0 the finest", Need::defaulted);
   verb.flag("--keep-unary", keep_unary, "count one-child nodes, as in tries, instead of contracting them");
-  verb.option("--resolve", resolve,
-              "make forks of three and more into forks of two: ladder (in their order) or random");
+  add_resolve(verb, resolve);
 }
 
 MeasureRequest Reading::request() const {

@@ -9,6 +9,9 @@
 
 namespace ramify::cli {
 
+/// Declares --resolve, in the one way it is said everywhere.
+void add_resolve(Verb& verb, std::string& resolve);
+
 /// Files of trees, or of counts of streams, and how they are read: of the verbs that measure them.
 struct Reading {
   std::vector<std::string> files;

@@ -1,6 +1,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "reading.hpp"
 #include "session.hpp"
 #include "verbs.hpp"
 #include <fmt/format.h>
@@ -80,8 +81,7 @@ void add_report(Program& program) {
   verb.option("--format", options->format, "html or md; auto: md where the output ends in .md, else html",
               Need::defaulted);
   verb.option("--root", options->root, "of a table with trees: the id of the root, all, or neurites");
-  verb.option("--resolve", options->resolve,
-              "make forks of three and more into forks of two: ladder (in their order) or random");
+  add_resolve(verb, options->resolve);
   verb.option("--model", options->model,
               "families to fit, NAME[,NAME..] or all; all if left out, but of counts those that are quick");
   verb.option("--replicates", options->replicates, "trees of the best model that a tree is compared with",
@@ -89,8 +89,7 @@ void add_report(Program& program) {
   verb.option("--bootstrap", options->bootstrap,
               "trees that say how well the best model fits a tree; 0 for none", Need::defaulted);
   verb.option("--seed", options->seed, "seed", Need::defaulted);
-  verb.option("--threads", options->threads,
-              "threads; all cores if left out. The result does not depend on it");
+  add_threads(verb, options->threads);
   options->output.add_to(verb);
   verb.example("Example: ramify report data/examples/sapling.newick --format md");
   verb.work([options](const Cancellation& cancellation) { return report(*options, cancellation); });

@@ -125,8 +125,7 @@ void add_sample(Program& program) {
               Need::defaulted);
   verb.option("--format", options->format,
               "csv: a table of statistics; newick, edges, swc, parens, json: the trees", Need::defaulted);
-  verb.option("--threads", options->threads,
-              "threads; all cores if left out. The result does not depend on it");
+  add_threads(verb, options->threads);
   verb.flag("--no-graft", options->no_graft,
             "grow every node, instead of drawing subtrees from their exact laws where that pays");
   verb.flag("--yes", options->yes, "allow more than 10^13 nodes");

@@ -112,6 +112,10 @@ std::vector<std::string> split_list(const std::string& text) {
   return items;
 }
 
+void add_threads(Verb& verb, std::string& threads) {
+  verb.option("--threads", threads, "threads; all cores if left out. The result does not depend on it");
+}
+
 unsigned read_threads(const std::string& text) {
   if (text.empty()) return std::max(1u, std::thread::hardware_concurrency());
   const std::uint64_t threads = read_count("--threads", text);

@@ -20,6 +20,9 @@ namespace ramify::cli {
 /// two.
 std::vector<std::string> split_list(const std::string& text);
 
+/// Declares --threads, in the one way it is said of a verb with one result.
+void add_threads(Verb& verb, std::string& threads);
+
 /// Threads for --threads: the number given (1 to 1024), else as many as the machine has cores.
 unsigned read_threads(const std::string& text);
 

@@ -1,6 +1,7 @@
 #include <memory>
 #include <utility>
 
+#include "reading.hpp"
 #include "session.hpp"
 #include "verbs.hpp"
 #include <fmt/format.h>
@@ -86,15 +87,13 @@ void add_test(Program& program) {
               "newick, nexus, swc, mtg, qsm, edges, flowlines, parens or json; auto: found by content",
               Need::defaulted);
   verb.option("--root", options->root, "of a table: the id of the root, all, or neurites");
-  verb.option("--resolve", options->resolve,
-              "make forks of three and more into forks of two: ladder (in their order) or random");
+  add_resolve(verb, options->resolve);
   verb.option("--model", options->model, "model, such as bst or \"beta(10,80)\"; see: ramify list models",
               Need::required);
   verb.option("--replicates", options->replicates, "trees to simulate for what has no exact law",
               Need::defaulted);
   verb.option("--seed", options->seed, "seed", Need::defaulted);
-  verb.option("--threads", options->threads,
-              "threads; all cores if left out. The result does not depend on it");
+  add_threads(verb, options->threads);
   options->output.add_table_to(verb);
   verb.example("Example: ramify test my_tree.txt --model bst");
   verb.work([options](const Cancellation& cancellation) { return test(*options, cancellation); });

@@ -31,10 +31,7 @@ TEST(FitOfCounts, RanksFamiliesAndSaysWhatTheyRestOn) {
 }
 
 TEST(FitOfCounts, IsTheSameOnAnyNumberOfThreads) {
-  const std::string line = "fit data/new_hope_creek.csv --model aldous,patricia --bootstrap 60 --threads ";
-  const Ran one = ramify(line + "1"), three = ramify(line + "3");
-  ASSERT_EQ(one.code, 0) << one.err;
-  EXPECT_EQ(one.out, three.out);
+  expect_same_on_any_threads("fit data/new_hope_creek.csv --model aldous,patricia --bootstrap 60");
 }
 
 TEST(FitOfCounts, ATableForReadingHasTheBestFamilyFirst) {

@@ -18,10 +18,7 @@ TEST(Horton, ShowsEveryEstimatorWithItsError) {
 }
 
 TEST(Horton, IsTheSameOnAnyNumberOfThreads) {
-  const std::string line = "horton data/new_hope_creek.csv --model aldous --trees 100 --threads ";
-  const Ran one = ramify(line + "1"), three = ramify(line + "3");
-  ASSERT_EQ(one.code, 0) << one.err;
-  EXPECT_EQ(one.out, three.out);
+  expect_same_on_any_threads("horton data/new_hope_creek.csv --model aldous --trees 100");
 }
 
 TEST(Horton, ReadsTreesAndAreas) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -32,6 +33,12 @@ Ran ramify(const std::string& arguments) {
   std::ostringstream command;
   command << RAMIFY_PROGRAM << ' ' << arguments;
   return shell(command.str());
+}
+
+void expect_same_on_any_threads(const std::string& line) {
+  const Ran one = ramify(line + " --threads 1"), three = ramify(line + " --threads 3");
+  ASSERT_EQ(one.code, 0) << one.err;
+  EXPECT_EQ(one.out, three.out);
 }
 
 std::string read_file(const std::filesystem::path& path) {

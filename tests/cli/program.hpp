@@ -40,6 +40,9 @@ Ran ramify(const std::string& arguments);
 /// Runs any shell command so.
 Ran shell(const std::string& command);
 
+/// A line without --threads gives the same on one thread and on three.
+void expect_same_on_any_threads(const std::string& line);
+
 std::string read_file(const std::filesystem::path& path);
 
 /// Lines of a text.
