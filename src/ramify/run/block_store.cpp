@@ -36,6 +36,16 @@ std::int64_t whole(std::size_t value) {
   return static_cast<std::int64_t>(value);
 }
 
+std::size_t rows_of(const SQLite::Database& connection, const char* table) {
+  SQLite::Statement query(connection, fmt::format("SELECT count(*) FROM {}", table));
+  query.executeStep();
+  return static_cast<std::size_t>(query.getColumn(0).getInt64());
+}
+
+KeptWork kept_work(const SQLite::Database& connection) {
+  return {rows_of(connection, "cell"), rows_of(connection, "block")};
+}
+
 std::string counted_work(std::size_t count, const char* noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
@@ -85,7 +95,7 @@ class BlockStore::Database {
     connection.exec("PRAGMA synchronous=OFF");
   }
 
-  bool is_empty() const { return number("SELECT count(*) FROM sqlite_master") == 0; }
+  bool is_empty() const { return rows_of(connection, "sqlite_master") == 0; }
 
   bool is_sound() const {
     return number("PRAGMA application_id") == application && number("PRAGMA user_version") == layout &&
@@ -112,10 +122,6 @@ class BlockStore::Database {
     SQLite::Statement query(connection, "SELECT text FROM plan ORDER BY line");
     while (query.executeStep()) lines.push_back(query.getColumn(0).getString());
     return lines;
-  }
-
-  std::size_t count(const char* table) const {
-    return static_cast<std::size_t>(number(fmt::format("SELECT count(*) FROM {}", table)));
   }
 
   mutable SQLite::Database connection;
@@ -168,7 +174,7 @@ BlockStore::BlockStore(fs::path file, const Plan& plan) : plan_(&plan), file_(st
 BlockStore::~BlockStore() = default;
 
 KeptWork BlockStore::kept() const {
-  return {database_->count("cell"), database_->count("block")};
+  return kept_work(database_->connection);
 }
 
 std::optional<CellSums> BlockStore::cell(std::size_t cell) const {
@@ -220,12 +226,7 @@ void BlockStore::complete(std::size_t cell, const CellSums& sums) {
 
 KeptWork BlockStore::kept_in(const fs::path& file) {
   try {
-    const SQLite::Database connection(file.string(), SQLite::OPEN_READONLY);
-    const auto count = [&](const char* table) {
-      SQLite::Statement query(connection, fmt::format("SELECT count(*) FROM {}", table));
-      return query.executeStep() ? static_cast<std::size_t>(query.getColumn(0).getInt64()) : 0;
-    };
-    return {count("cell"), count("block")};
+    return kept_work(SQLite::Database(file.string(), SQLite::OPEN_READONLY));
   } catch (const SQLite::Exception&) {
     return {};
   }
