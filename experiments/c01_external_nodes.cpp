@@ -18,7 +18,7 @@
 namespace ramify {
 namespace {
 
-Statement one_more(std::string part, std::string of) {
+Statement one_more(std::string part, const std::string& of) {
   return {std::move(part),
           "external nodes - internal nodes = 1, " + of,
           "K96 Fact 2.1",

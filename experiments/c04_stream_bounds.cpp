@@ -60,8 +60,8 @@ Basis chain_ratios() {
   return excess.basis(largest, fmt::format("the chain of every n to {}", largest));
 }
 
-Statement at_least_twice(std::string part, std::string counted, std::string source, std::string convention,
-                         std::vector<NamedValue> rivals) {
+Statement at_least_twice(std::string part, const std::string& counted, std::string source,
+                         std::string convention, std::vector<NamedValue> rivals) {
   return {std::move(part),
           "the least b_(k-1)/b_k is 2 or more, " + counted,
           std::move(source),

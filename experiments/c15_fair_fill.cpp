@@ -58,7 +58,7 @@ Basis worst_of_cell_bounds(const Cancellation& cancellation) {
   for (Size n = 1; n <= largest; ++n) {
     const auto strings = static_cast<double>(n) + 1;
     const std::vector<double> pmf = law.pmf(n);
-    const auto value = [&](std::size_t i) { return static_cast<double>(law.lowest(n) + i); };
+    const auto value = [&](std::size_t i) { return static_cast<double>(BoundedLaw::lowest(n) + i); };
     double below = 0, above = 0;
     for (std::size_t i = 0; i < pmf.size(); ++i) {
       if (below > least) worst = std::max(worst, std::log(below) - log_empty_cell(strings, value(i)));

@@ -40,7 +40,7 @@ double law_ratio(LawEstimator estimator, const StreamMeans& counts) {
 }
 
 double law_ratio_deviation(LawEstimator estimator, const StreamCounts& counts) {
-  StreamMeans moved = counts;
+  StreamMeans moved{counts.means, counts.order_tail};
   std::vector<double> slopes(counts.orders());
   for (std::size_t k = 1; k < counts.orders(); ++k) {  // the tips do not scatter
     const double step = relative_step * counts.means[k];

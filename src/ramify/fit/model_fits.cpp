@@ -32,7 +32,7 @@ constexpr Size smallest_n = 20;  // below, counts above the tips are too few for
 
 /// Throws Error where counts tell too little.
 void require_counts(const OrderCounts& table) {
-  if (table.contradiction) throw *table.contradiction;
+  if (table.contradiction) throw Error(*table.contradiction);
   const std::string few = too_few_to_fit(table);
   if (few.empty()) return;
   throw Error(fmt::format("{}: {}", table.name, few),

@@ -17,7 +17,8 @@ struct RunOptions {
   unsigned threads = 1;
   KeptCells kept = KeptCells::refuse;  ///< of a stopped run; take_over: those of a finished run too
   std::function<void(double done, double total)> progress;  ///< nodes; may be empty
-  std::function<void(const std::string&)> say = {};  ///< a line: what is kept of an earlier run; may be empty
+  /// A line: what is kept of an earlier run; may be empty.
+  std::function<void(const std::string&)> say = {};  // NOLINT(readability-redundant-member-init): -Wextra
   ModelLooks looks = {};  ///< of the models of all configs that the command runs; may be empty
 };
 
