@@ -2,6 +2,7 @@
 #include <string>
 
 #include "program.hpp"
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace ramify::test {
@@ -30,7 +31,9 @@ TEST(ReportVerb, OfATreeHasEverySectionAndCommandsThatRun) {
     EXPECT_TRUE(holds(ran.out, section)) << section;
   EXPECT_TRUE(holds(ran.out, "The tree has 8 tips and 3 orders")) << ran.out;
   EXPECT_TRUE(holds(ran.out, "| 1 | 8 | 8 |")) << ran.out;
-  EXPECT_TRUE(holds(ran.out, "| streams, divided by (R_B) | 2.8333 | 2.75 | 2.8284 | 2.8284 |")) << ran.out;
+  EXPECT_TRUE(holds(
+      ran.out, "| streams, divided by (R_B) | 2.833 ± 0.097 | 2.75 ± 0.12 | 2.828 ± 0.096 | 2.828 ± 0.096 |"))
+      << ran.out;
   EXPECT_TRUE(holds(ran.out, "| mean radius, times (R_D) |")) << ran.out;
   EXPECT_TRUE(holds(ran.out, "Murray's exponent, fork by fork: 2.999, the median over 7 forks")) << ran.out;
   const auto commands = commands_on(ran.out);
@@ -62,6 +65,29 @@ TEST(ReportVerb, HtmlIsOneFileThatNeedsNoNetwork) {
   EXPECT_EQ(pictures, 2u);
   EXPECT_TRUE(holds(html, "aria-label=\"Node-link diagram with the root at the left: 8 tips"));
   EXPECT_TRUE(holds(html, "Made by ramify"));
+}
+
+TEST(ReportVerb, RatiosHaveTheErrorsOfHorton) {
+  const Ran page = ramify("report data/new_hope_creek.csv --format md --model catalan");
+  const Ran table = ramify("horton data/new_hope_creek.csv --model catalan --seed 1996 --csv");
+  ASSERT_EQ(page.code, 0) << page.err;
+  ASSERT_EQ(table.code, 0) << table.err;
+  std::string row = "| streams, divided by (R_B) |", biases;
+  for (const char* estimator : {"mean_ratio", "pooled_ratio", "regression", "geometric"}) {
+    std::istringstream lines(table.out);
+    for (std::string line; std::getline(lines, line);)
+      if (holds(line, fmt::format(",R_B,{},", estimator))) {
+        std::vector<std::string> cells;
+        std::istringstream stream(line);
+        for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
+        row += fmt::format(" {:.4g} ± {:.2g} |", std::stod(cells.at(5)), std::stod(cells.at(6)));
+        biases += fmt::format("{:+.2g} ", std::stod(cells.at(8)));
+      }
+  }
+  EXPECT_TRUE(holds(page.out, row)) << row << '\n' << page.out;
+  std::istringstream each(biases);
+  for (std::string bias; each >> bias;) EXPECT_TRUE(holds(page.out, bias)) << bias;
+  EXPECT_TRUE(holds(page.out, "from 400 trees of catalan, fitted to the counts"));
 }
 
 TEST(ReportVerb, IsTheSameOnAnyNumberOfThreads) {

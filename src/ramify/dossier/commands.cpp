@@ -48,6 +48,11 @@ std::string measure_command(const Subject& subject, const ReportRequest& request
                      options);
 }
 
+std::string horton_command(const Subject& subject, const ReportRequest& request, std::string_view families) {
+  return fmt::format("ramify horton {}{} --model {} --seed {}", file_word(subject.file),
+                     reading_options(subject, request), shell_word(families), request.seed);
+}
+
 std::string fit_command(const Subject& subject, const ReportRequest& request, std::string_view families) {
   return fmt::format("ramify fit {}{} --model {} --seed {}", file_word(subject.file),
                      reading_options(subject, request), shell_word(families), request.seed);

@@ -17,6 +17,8 @@ std::string shell_word(std::string_view text);
 std::string draw_command(const Subject& subject, const ReportRequest& request);
 /// ramify measure with these options: orders, summary, Horton diagram.
 std::string measure_command(const Subject& subject, const ReportRequest& request, std::string_view options);
+/// ramify horton with errors by the best of these families.
+std::string horton_command(const Subject& subject, const ReportRequest& request, std::string_view families);
 /// ramify fit of these families.
 std::string fit_command(const Subject& subject, const ReportRequest& request, std::string_view families);
 /// ramify test: the tree beside trees of a model.

@@ -92,6 +92,26 @@ void compare(const Subject& subject, const ReportRequest& request, const Cancell
   findings.compared = comparison(subject.tree->tree, subject.name);
 }
 
+/// Of those that were fitted the best that has one parameter or none, for two take minutes from counts; where
+/// nothing was fitted, all that horton_laws takes.
+std::vector<const Family*> families_of_errors(const Findings& findings) {
+  if (findings.fit)
+    for (const FamilyFit& fit : findings.fit->fits)
+      if (fit.family->parameters.size() <= 1 && fit.family->given == Given::size &&
+          !fit.family->is_simulated() && fit.converged)
+        return {fit.family};
+  return one_parameter_families();
+}
+
+void take_ratios(const Subject& subject, const ReportRequest& request, const Cancellation& cancellation,
+                 Findings& findings) {
+  HortonOptions options;
+  options.families = findings.error_families = families_of_errors(findings);
+  options.trees.seed = request.seed;
+  options.trees.threads = request.threads;
+  findings.ratios = horton_laws({&subject.measured.orders, 1}, options, cancellation).front();
+}
+
 }  // namespace
 
 std::vector<const Family*> quick_families(const Subject& subject) {
@@ -112,6 +132,7 @@ Findings find_out(const Subject& subject, const ReportRequest& request, const Ca
     fit_tree(subject, request, cancellation, findings);
   else
     fit_table(subject, request, cancellation, findings);
+  take_ratios(subject, request, cancellation, findings);
   if (!findings.fit) return findings;
   findings.best = model_of(findings.fit->fits.front());
   if (subject.tree && findings.best) compare(subject, request, cancellation, findings);

@@ -37,7 +37,7 @@ std::vector<PageSection> sections_of(const Subject& subject, const ReportRequest
   std::vector<PageSection> sections{words_section(subject, findings)};
   if (subject.tree) sections.push_back(picture_section(subject, request, cancellation, report.warnings));
   sections.push_back(orders_section(subject, request, report.warnings));
-  sections.push_back(ratios_section(subject, request));
+  sections.push_back(ratios_section(subject, findings, request));
   sections.push_back(families_section(subject, findings, request));
   if (subject.tree && findings.best) sections.push_back(departures_section(subject, findings, request));
   return sections;

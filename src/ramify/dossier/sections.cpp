@@ -15,8 +15,6 @@
 #include "ramify/measure/horton_plot.hpp"
 #include "ramify/measure/measure_tables.hpp"
 #include "ramify/report/picture_file.hpp"
-#include "ramify/statistic/order_ratios.hpp"
-#include "ramify/statistic/stream_geometry.hpp"
 #include "ramify/text/remarks.hpp"
 
 namespace ramify {
@@ -51,24 +49,6 @@ std::string horton_alternative(const MeasuredOrders& orders) {
   return fmt::format("Horton diagram: on a logarithmic axis {} streams of orders 1 to {}{}{}",
                      fmt::join(orders.streams, ", "), orders.streams.size(),
                      means.empty() ? "" : ", with their ", listed(means));
-}
-
-/// Ratios of one quantity: falls of counts, rises of means.
-void add_ratios(Table& table, std::string_view what, double mean, double pooled, double regression,
-                double ends) {
-  table.add(Row().text(what).summary(mean).summary(pooled).summary(regression).summary(ends));
-}
-
-void add_falls(Table& table, std::string_view what, const std::vector<std::uint64_t>& counts) {
-  if (counts.size() < 2) return;
-  const OrderRatios ratios = order_ratios(counts);
-  add_ratios(table, what, ratios.mean_ratio, pooled_over_orders(counts), ratios.regression, ratios.geometric);
-}
-
-void add_rises(Table& table, std::string_view what, const std::vector<double>& means) {
-  if (means.size() < 2) return;
-  const MeanRatios ratios = mean_ratios(means);
-  add_ratios(table, what, ratios.mean_ratio, NAN, ratios.regression, ratios.geometric);
 }
 
 std::vector<std::string> names_of(const std::vector<const Family*>& families) {
@@ -152,36 +132,6 @@ PageSection orders_section(const Subject& subject, const ReportRequest& request,
   if (request.resolve == "random" && request.seed != 1996)
     section.blocks.emplace_back(PageParagraph{
         "Forks were resolved at random by the seed of this report; measure draws them by seed 1996."});
-  return section;
-}
-
-PageSection ratios_section(const Subject& subject, const ReportRequest& request) {
-  PageSection section{"Ratios", {}, {}};
-  Table table({"from order to order", "mean of ratios", "pooled", "regression", "ends"});
-  const MeasuredOrders& orders = subject.measured.orders;
-  add_falls(table, "streams, divided by (R_B)", orders.streams);
-  add_falls(table, "nodes, divided by", orders.nodes);
-  add_rises(table, "mean length, times (R_L)", orders.mean_lengths);
-  add_rises(table, "mean radius, times (R_D)", orders.mean_radii);
-  if (table.rows() == 0) {
-    section.blocks.emplace_back(PageParagraph{"With one order there is no ratio."});
-    return section;
-  }
-  section.blocks.emplace_back(
-      PageTable{"By every estimator: mean of the ratios of neighbouring orders; sum over orders but the "
-                "highest by sum but the "
-                "lowest; least-squares line through the logarithms; lowest and highest order alone",
-                readable(table)});
-  if (const MurrayExponent& murray = subject.measured.orders.murray; murray.forks > 0)
-    section.blocks.emplace_back(
-        PageParagraph{std::isnan(murray.median)
-                          ? fmt::format("Murray's exponent, the median over {}, is infinite: in half of them "
-                                        "a child is as thick as "
-                                        "its parent.",
-                                        counted(murray.forks, "fork"))
-                          : fmt::format("Murray's exponent, fork by fork: {:.4g}, the median over {}.",
-                                        murray.median, counted(murray.forks, "fork"))});
-  section.blocks.emplace_back(PageCommands{{measure_command(subject, request, " --table summary")}});
   return section;
 }
 

@@ -16,7 +16,8 @@ PageSection words_section(const Subject& subject, const Findings& findings);
 PageSection picture_section(const Subject& subject, const ReportRequest& request,
                             const Cancellation& cancellation, Warnings& warnings);
 PageSection orders_section(const Subject& subject, const ReportRequest& request, Warnings& warnings);
-PageSection ratios_section(const Subject& subject, const ReportRequest& request);
+/// Horton's ratios with their errors.
+PageSection ratios_section(const Subject& subject, const Findings& findings, const ReportRequest& request);
 PageSection families_section(const Subject& subject, const Findings& findings, const ReportRequest& request);
 /// For trees with a best model alone.
 PageSection departures_section(const Subject& subject, const Findings& findings,
