@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "ramify/core/number.hpp"
+#include "ramify/family/observed_bi_orders.hpp"
 #include "ramify/fit/fit_table.hpp"
 #include "ramify/fit/model_fit_table.hpp"
 #include "ramify/fit/model_fits.hpp"
@@ -37,6 +38,7 @@ constexpr std::array<std::string_view, 3> observable_names{"ratio", "orders", "t
 
 /// What a file holds.
 Observable content_of(const std::string& text) {
+  if (is_bi_order_table(text)) return Observable::tree;
   if (is_order_table(text)) return Observable::orders;
   return is_ratio_table(text) ? Observable::ratio : Observable::tree;
 }
@@ -151,9 +153,25 @@ std::vector<RecordedTree> trees_of(const FitArguments& options, const std::strin
       {options.resolve, read_count("--seed", options.seed), "trees of all families are binary"});
 }
 
+/// A table of the orders that meet: the families given the order, if none is named.
+std::vector<FittedDatum> fit_bi_orders_of(const FitArguments& options, Observable observable,
+                                          const std::string& text, const std::string& file,
+                                          ModelFitOptions how, const Cancellation& cancellation) {
+  if (observable != Observable::tree)
+    throw Error(fmt::format("--observable {} of {}", options.observable, file),
+                "it holds the orders that meet, which say more than counts", "leave --observable out");
+  if (options.model.empty()) {
+    how.families.clear();
+    for (const Family& family : all_families())
+      if (family.given == Given::order) how.families.push_back(&family);
+  }
+  return fit_bi_order_table(ObservedBiOrders::of_table(CsvData::parse(text, file)), file, how, cancellation);
+}
+
 std::vector<FittedDatum> fit_file(const FitArguments& options, Observable observable, const std::string& text,
                                   const std::string& file, const ModelFitOptions& how,
                                   const Cancellation& cancellation) {
+  if (is_bi_order_table(text)) return fit_bi_orders_of(options, observable, text, file, how, cancellation);
   if (observable == Observable::tree)
     return fit_whole_trees(trees_of(options, text, file, how), file, options.pooled, how, cancellation);
   if (content_of(text) == Observable::tree)
@@ -194,10 +212,10 @@ void add_fit(Program& program) {
   auto options = std::make_shared<FitArguments>();
   Verb verb =
       program.verb("fit", "Fit models to measured trees: to counts of streams, or to a bifurcation ratio");
-  verb.option(
-      "data", options->files,
-      "trees as measure reads them, CSV of stream counts (order,count) or of ratios (name,ratio,branches)",
-      Need::required);
+  verb.option("data", options->files,
+              "trees as measure reads them, CSV of stream counts (order,count), of the orders that meet "
+              "(order,side,count) or of ratios (name,ratio,branches)",
+              Need::required);
   verb.option("--model", options->model,
               "families to fit, NAME[,NAME..] or all; see: ramify list families. Of a ratio patricia or dst");
   verb.option(

@@ -127,6 +127,22 @@ TEST(FitOfTrees, ATreeTooSmallForTokunagaNamesTheSmallest) {
       << ran.err;
 }
 
+TEST(FitOfTrees, ATableOfTheOrdersThatMeetSaysAsMuchAsTheTree) {
+  const Scratch scratch;
+  const std::string table =
+      scratch.file("sapling.csv", read_file(RAMIFY_SOURCE "/data/examples/sapling_orders_that_meet.csv"));
+  const std::string bootstrap = " --format csv --bootstrap 40 ";
+  const Ran tree = ramify("fit data/examples/sapling.newick --model tokunaga,ramification" + bootstrap);
+  const Ran counted = ramify("fit " + table + bootstrap);
+  ASSERT_EQ(counted.code, 0) << counted.err;
+  EXPECT_EQ(counted.out, tree.out);
+  const Ran refused = ramify("fit " + table + " --model patricia");
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_NE(refused.err.find("no fit of patricia (a table of the orders that meet"), std::string::npos)
+      << refused.err;
+  EXPECT_EQ(ramify("fit --observable orders " + table).code, 2);
+}
+
 TEST(FitOfCounts, OfTokunagaNumbersCountsFixTheRatio) {
   const Ran ran = ramify("fit data/walnut.csv --format csv --model tokunaga,ramification");
   ASSERT_EQ(ran.code, 0) << ran.err;

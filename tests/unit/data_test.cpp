@@ -5,6 +5,7 @@
 #include "support/tree_files.hpp"
 #include <gtest/gtest.h>
 
+#include "ramify/family/observed_bi_orders.hpp"
 #include "ramify/fit/ratio_datum.hpp"
 #include "ramify/format/order_counts.hpp"
 #include "ramify/model/registry.hpp"
@@ -56,10 +57,18 @@ TEST(Data, RegressionsAreThosePublished) {
 }
 
 TEST(Data, EveryExampleIsRead) {
-  std::size_t trees = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(folder / "examples"))
-    trees += test::trees_of(read_tree_file(entry.path())).size();
+  std::size_t trees = 0, tables = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "examples")) {
+    const std::string text = read_tree_file(entry.path());
+    if (is_bi_order_table(text)) {
+      const auto observed = ObservedBiOrders::of_table(CsvData::parse(text, entry.path().string()));
+      tables += observed.tree_orders().size();
+    } else {
+      trees += test::trees_of(text).size();
+    }
+  }
   EXPECT_EQ(trees, 7u);
+  EXPECT_EQ(tables, 1u);
 }
 
 }  // namespace

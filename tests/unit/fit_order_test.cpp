@@ -73,6 +73,47 @@ TEST(ObservedBiOrders, CountsNodesByTheOrdersBelow) {
   EXPECT_EQ(both.tree_orders().size(), 2u);
 }
 
+/// A table of what was counted in trees.
+std::string table_of(const ObservedBiOrders& observed) {
+  std::string text = "# counted\norder,side,count\n";
+  for (std::size_t k = 1; k <= observed.largest_order(); ++k)
+    for (std::size_t j = 0; j <= k; ++j)
+      text += std::to_string(k + 1) + "," + std::to_string(j + 1) + "," +
+              std::to_string(static_cast<int>(observed.count(k, j))) + "\n";
+  return text;
+}
+
+ObservedBiOrders read_back(const std::string& text) {
+  return ObservedBiOrders::of_table(CsvData::parse(text, "t.csv"));
+}
+
+TEST(ObservedBiOrders, ComeBackFromATable) {
+  ObservedBiOrders observed = observed_of(trees_by_order("tokunaga(1,2)", 5, 1)[0]);
+  for (const Size order : {3, 4, 3}) observed.add(observed_of(trees_by_order("tokunaga(1,2)", order, 1)[0]));
+  EXPECT_TRUE(is_bi_order_table(table_of(observed)));
+  EXPECT_FALSE(is_bi_order_table("order,count\n1,2\n"));
+  EXPECT_FALSE(is_bi_order_table(""));
+  const ObservedBiOrders back = read_back(table_of(observed));
+  EXPECT_EQ(table_of(back), table_of(observed));
+  EXPECT_EQ(std::vector<std::size_t>(back.tree_orders().begin(), back.tree_orders().end()),
+            (std::vector<std::size_t>{5, 4, 3, 3}));
+}
+
+TEST(ObservedBiOrders, OfATableThatContradictsItselfAreRefused) {
+  const std::array<std::array<const char*, 2>, 6> bad{
+      {{"order,side,count\n2,2,5\n3,2,2\n3,3,2\n",
+        "t.csv: 5 streams of the order 1 above the tips (6 of them are counted where they end"},
+       {"order,side,count\n2,1,4\n", "no streams of the order 1"},
+       {"order,side,count\n2,2,4\n2,2,1\n", "t.csv:3: p(2,2) again"},
+       {"order,side,count\n2,3,1\n", "t.csv:2:3: side 3"},
+       {"order,side,count\n2,2,1.5\n", "t.csv:2:5"},
+       {"order,side,count\n2,2,2000001\n", "a table may have 1000000"}}};
+  for (const auto& [text, says] : bad) {
+    const std::string message = test::error_of([text = text] { read_back(text); });
+    EXPECT_NE(message.find(says), std::string::npos) << message;
+  }
+}
+
 TEST(ObservedBiOrders, RefusesForksOfThree) {
   EXPECT_NE(test::error_of([] { observed_of(test::tree_of("(a,b,c);")); }).find("a node with 3 children"),
             std::string::npos);

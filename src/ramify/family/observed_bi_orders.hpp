@@ -2,9 +2,11 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
+#include "ramify/text/csv_reader.hpp"
 #include "ramify/tree/tree.hpp"
 
 namespace ramify {
@@ -21,6 +23,12 @@ class ObservedBiOrders {
   /// O(nodes). Throws Error for a tree with a node of other than two children.
   /// @param where  names the tree in messages
   ObservedBiOrders(const Tree& tree, std::string_view where);
+
+  /// Of a table of counts, CSV with the columns order, side, count (read_bi_order_counts): one tree or
+  /// several together. How many roots there are of every order follows: streams of the order, less those that
+  /// join a higher one from the side, less two for each stream of the next. Throws Error with
+  /// file:line:column, and where more streams of an order are said to go on than there are.
+  static ObservedBiOrders of_table(const CsvData& table);
 
   /// Those of a further tree, or of further trees: their likelihoods multiply.
   void add(const ObservedBiOrders& others);
@@ -48,5 +56,8 @@ class ObservedBiOrders {
   std::vector<std::vector<double>> rows_;  ///< of order k at k-1: k+1 numbers
   std::vector<std::size_t> tree_orders_;
 };
+
+/// The text is such a table: its header has order, side and count.
+bool is_bi_order_table(std::string_view text);
 
 }  // namespace ramify

@@ -144,14 +144,18 @@ FamilyFit fit_counts_of_order(const Family& family, const ObservedCounts& counts
   return fit;
 }
 
+FittedDatum tree_given_order(TreeFit fit, std::string_view file) {
+  return {short_name(fit.name, file),   "tree given order",
+          static_cast<Size>(fit.nodes), fmt::format("the orders below {:.0f} nodes", fit.nodes),
+          std::move(fit.families),      Given::order};
+}
+
 std::vector<FittedDatum> given_order(std::span<const RecordedTree> trees, std::string_view file,
                                      std::span<const Family* const> families, const TreeFitOptions& how,
                                      const Cancellation& cancellation) {
   std::vector<FittedDatum> data;
   for (TreeFit& fit : fit_trees_given_order(trees, families, how, cancellation))
-    data.push_back({short_name(fit.name, file), "tree given order", static_cast<Size>(fit.nodes),
-                    fmt::format("the orders below {:.0f} nodes", fit.nodes), std::move(fit.families),
-                    Given::order});
+    data.push_back(tree_given_order(std::move(fit), file));
   return data;
 }
 
@@ -253,6 +257,24 @@ std::vector<FittedDatum> fit_whole_trees(std::span<const RecordedTree> trees, st
     return by_order;
   }
   if (!of_order.empty()) std::ranges::move(by_order, std::back_inserter(data));
+  return data;
+}
+
+std::vector<FittedDatum> fit_bi_order_table(const ObservedBiOrders& observed, std::string_view file,
+                                            const ModelFitOptions& options,
+                                            const Cancellation& cancellation) {
+  if (const auto of_size = given(Given::size, options.families); !of_size.empty())
+    throw Error(fmt::format("{}: no fit of {}", file, of_size.front()->name),
+                "a table of the orders that meet has the likelihood of trees grown by order alone",
+                "leave --model out, or take tokunaga, ramification");
+  FittedDatum datum = tree_given_order(
+      fit_bi_orders(std::string(file), observed, options.families,
+                    {true, {options.bootstrap_trees, options.seed}, options.threads}, cancellation),
+      file);
+  if (const std::size_t trees = observed.tree_orders().size(); trees > 1)
+    datum.used += fmt::format(" of {} trees", trees);
+  std::vector<FittedDatum> data{std::move(datum)};
+  require_a_fit(data);
   return data;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ramify/core/cancellation.hpp"
+#include "ramify/family/observed_bi_orders.hpp"
 #include "ramify/fit/count_likelihood.hpp"
 #include "ramify/fit/family_fit.hpp"
 #include "ramify/format/order_counts.hpp"
@@ -64,5 +65,10 @@ std::vector<OrderCounts> order_counts_of(std::span<const RecordedTree> trees);
 std::vector<FittedDatum> fit_whole_trees(std::span<const RecordedTree> trees, std::string_view file,
                                          bool pooled, const ModelFitOptions& options,
                                          const Cancellation& cancellation);
+
+/// Fits families given the order to a table of the orders that meet (ObservedBiOrders::of_table), as to the
+/// tree itself. Throws Error where a family is given n, or none can be fitted; Interrupted.
+std::vector<FittedDatum> fit_bi_order_table(const ObservedBiOrders& observed, std::string_view file,
+                                            const ModelFitOptions& options, const Cancellation& cancellation);
 
 }  // namespace ramify

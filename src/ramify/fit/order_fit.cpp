@@ -120,18 +120,6 @@ Model model_of(const FamilyFit& fit, const ObservedBiOrders& observed) {
   return Model::made(*fit.family->model, name, grown_model(Ramification(measured_matrix(observed), name)));
 }
 
-TreeFit fit_of(std::string name, const ObservedBiOrders& observed, std::span<const Family* const> families,
-               const TreeFitOptions& options, const Cancellation& cancellation) {
-  TreeFit fit{std::move(name), observed.all_nodes(), {}};
-  for (const Family* family : families) {
-    FamilyFit& one = fit.families.emplace_back(fit_given_order(*family, observed));
-    if (options.bootstrap.trees > 0 && one.converged && !std::isnan(one.log_likelihood))
-      bootstrap_given_order(one, observed, options.bootstrap, options.threads, cancellation);
-  }
-  rank(fit.families);
-  return fit;
-}
-
 }  // namespace
 
 std::string too_few_orders(const Family& family, const ObservedBiOrders& observed) {
@@ -198,12 +186,25 @@ void bootstrap_given_order(FamilyFit& fit, const ObservedBiOrders& observed, con
   if (family.of_bi_orders != nullptr) fit.goodness.p_value = bootstrap_p_value(misfits, plan.seed);
 }
 
+TreeFit fit_bi_orders(std::string name, const ObservedBiOrders& observed,
+                      std::span<const Family* const> families, const TreeFitOptions& options,
+                      const Cancellation& cancellation) {
+  TreeFit fit{std::move(name), observed.all_nodes(), {}};
+  for (const Family* family : families) {
+    FamilyFit& one = fit.families.emplace_back(fit_given_order(*family, observed));
+    if (options.bootstrap.trees > 0 && one.converged && !std::isnan(one.log_likelihood))
+      bootstrap_given_order(one, observed, options.bootstrap, options.threads, cancellation);
+  }
+  rank(fit.families);
+  return fit;
+}
+
 std::vector<TreeFit> fit_trees_given_order(std::span<const RecordedTree> trees,
                                            std::span<const Family* const> families,
                                            const TreeFitOptions& options, const Cancellation& cancellation) {
   return fits_of_trees<ObservedBiOrders>(
       trees, options.pooled, [&](std::string name, const ObservedBiOrders& observed) {
-        return fit_of(std::move(name), observed, families, options, cancellation);
+        return fit_bi_orders(std::move(name), observed, families, options, cancellation);
       });
 }
 

@@ -25,6 +25,11 @@ std::vector<TreeFit> fit_trees_given_order(std::span<const RecordedTree> trees,
                                            std::span<const Family* const> families,
                                            const TreeFitOptions& options, const Cancellation& cancellation);
 
+/// The same of what was counted, of one tree or of several together.
+TreeFit fit_bi_orders(std::string name, const ObservedBiOrders& observed,
+                      std::span<const Family* const> families, const TreeFitOptions& options,
+                      const Cancellation& cancellation);
+
 /// One family. Of a ramification matrix the estimates are the shares of each row, p(k,0), ..., p(k,k), k = 1,
 /// 2, ..., with multinomial errors and, for each, the profile interval of its row; of tokunaga a and c, by
 /// search, with the misfit 2 (log L of the matrix - log L), of which the bootstrap knows the law.

@@ -1,13 +1,13 @@
 #include "ramify/fit/ratio_datum.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "ramify/fit/ratio_table.hpp"
 #include "ramify/format/order_counts.hpp"
 #include "ramify/statistic/horton_law.hpp"
-#include "ramify/text/line_cursor.hpp"
+#include "ramify/text/header_fields.hpp"
 #include "ramify/text/text_file.hpp"
-#include "ramify/text/trimmed.hpp"
 
 namespace ramify {
 namespace {
@@ -24,18 +24,9 @@ std::vector<RatioDatum> read_ratio_data(const std::filesystem::path& path) {
 }
 
 bool is_ratio_table(std::string_view text) {
-  LineCursor lines(text);
-  do {
-    if (!lines.next()) return false;
-  } while (lines.line().empty() || lines.line().starts_with('#'));
-  std::string_view rest = lines.line();
-  while (true) {
-    const std::size_t comma = rest.find(',');
-    const std::string_view field = trimmed(rest.substr(0, comma));
-    if (field == "ratio" || field == "order" || field == "count") return true;
-    if (comma == std::string_view::npos) return false;
-    rest.remove_prefix(comma + 1);
-  }
+  return std::ranges::any_of(header_fields(text), [](std::string_view field) {
+    return field == "ratio" || field == "order" || field == "count";
+  });
 }
 
 std::vector<RatioDatum> parse_ratio_data(std::string_view text, std::string_view name) {

@@ -33,36 +33,55 @@ std::uint64_t leaf_order_at(const CsvData& table, std::size_t row) {
                  "correct it");
 }
 
-/// Columns from, to and probability as a square table: of the orders 1, 2, ... to 0, ..., most(order).
-template <class Most>
-RamificationMatrix read_rows(const CsvData& table, const char* from, const char* to, Most most) {
-  for (const char* column : {from, to, "probability"}) table.require_column(column);
+/// The names of three columns.
+struct MatrixColumns {
+  const char *from, *to, *value;
+};
+
+/// Columns as a square table: of the orders 1, 2, ... to 0, ..., most(order), of value(row).
+template <class Most, class Value>
+RamificationMatrix read_rows(const CsvData& table, const MatrixColumns& columns, Most most, Value value) {
+  for (const char* column : {columns.from, columns.to, columns.value}) table.require_column(column);
   RamificationMatrix rows;
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const std::uint64_t leaf_order = leaf_order_at(table, row);
-    const std::uint64_t order = order_at(table, row, from, leaf_order, 1, most_orders);
-    const std::uint64_t other = order_at(table, row, to, leaf_order, 0, most(order));
+    const std::uint64_t order = order_at(table, row, columns.from, leaf_order, 1, most_orders);
+    const std::uint64_t other = order_at(table, row, columns.to, leaf_order, 0, most(order));
     while (rows.size() < order) rows.emplace_back(most(rows.size() + 1) + 1, 0.0);
     double& place = rows[order - 1][other];
     if (place != 0)
       throw error_at(table.where(row), fmt::format("p({},{}) again", order + leaf_order, other + leaf_order),
                      "another line has it too", "leave one of them out");
-    place = table.real(row, "probability");
+    place = value(row);
   }
   if (rows.empty())
     throw Error(fmt::format("{}: no rows", table.name()), "a matrix has one at least", "add them");
   return rows;
 }
 
+/// The most that the side of an order is, in a ramification matrix.
+std::uint64_t to_itself(std::uint64_t order) {
+  return order;
+}
+
 }  // namespace
 
 RamificationMatrix read_ramification_matrix(const std::filesystem::path& path) {
-  return read_rows(CsvData::read(path), "order", "side", [](std::uint64_t order) { return order; });
+  const CsvData table = CsvData::read(path);
+  return read_rows(table, {"order", "side", "probability"}, to_itself,
+                   [&table](std::size_t row) { return table.real(row, "probability"); });
+}
+
+RamificationMatrix read_bi_order_counts(const CsvData& table) {
+  return read_rows(table, {"order", "side", "count"}, to_itself,
+                   [&table](std::size_t row) { return static_cast<double>(table.count(row, "count")); });
 }
 
 RamificationMatrix read_markov_chain(const std::filesystem::path& path) {
   const CsvData table = CsvData::read(path);
-  auto rows = read_rows(table, "state", "next", [](std::uint64_t) { return most_orders; });
+  auto rows = read_rows(
+      table, {"state", "next", "probability"}, [](std::uint64_t) { return most_orders; },
+      [&table](std::size_t row) { return table.real(row, "probability"); });
   for (std::size_t k = 1; k <= rows.size(); ++k) {
     auto& row = rows[k - 1];
     const std::string problem = fmt::format("{}: transitions of state {} (leaf order 0)", table.name(), k);

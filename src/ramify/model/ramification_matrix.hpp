@@ -4,6 +4,8 @@
 #include <string_view>
 #include <vector>
 
+#include "ramify/text/csv_reader.hpp"
+
 namespace ramify {
 
 /// Row k-1 holds p(k,0), ..., p(k,k), k = 1, 2, ...: with what probability a node of order k has children of
@@ -16,6 +18,10 @@ inline constexpr std::size_t most_orders = 62;
 /// From a CSV file with the columns order, side, probability and, if wanted, leaf_order (0, or 1 as measured
 /// data have it: the default); rows in any order, what has none is 0. Throws Error with file:line:column.
 RamificationMatrix read_ramification_matrix(const std::filesystem::path& path);
+
+/// Counts in place of probabilities, whole numbers in a column `count`: nodes of order k with (k,j) below.
+/// Same shape, columns and errors.
+RamificationMatrix read_bi_order_counts(const CsvData& table);
 
 /// A Markov chain as a matrix (A19, Le Mehaute 1991): its states are orders, and of the transitions of a
 /// state those to itself and to lower states are kept and scaled to sum 1. Columns state, next, probability,
