@@ -21,7 +21,7 @@ function(ramify_module name)
     add_library(${target} STATIC ${ARG_SOURCES})
     target_include_directories(${target} PUBLIC
       $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
-    if(NOT ARG_APART OR NOT RAMIFY_UNITY_BATCH)
+    if(NOT ARG_APART)
       ramify_together(${target})
     endif()
     target_link_libraries(${target} PUBLIC ramify_language ${ARG_LINKS}

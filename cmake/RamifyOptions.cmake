@@ -18,9 +18,8 @@ target_compile_options(ramify_warnings INTERFACE
 # in a third of the time. An error names its own file and line as ever. Off (preset dev) every source is compiled by itself, and
 # a small change is built fastest.
 option(RAMIFY_UNITY "Compile sources of a target as one" OFF)
-set(RAMIFY_UNITY_BATCH 8 CACHE STRING "How many of them, at most; 0 is all")
 function(ramify_together target)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ${RAMIFY_UNITY} UNITY_BUILD_BATCH_SIZE ${RAMIFY_UNITY_BATCH})
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${RAMIFY_UNITY} UNITY_BUILD_BATCH_SIZE 8)
 endfunction()
 
 # For what is not measured (the command line, readers of configs, tables, constants, the tests): compiled in two thirds of the time,

@@ -23,9 +23,9 @@ namespace {
 
 /// Each has one column.
 StatisticSet compared() {
-  using namespace statistic;
-  return StatisticSet({&strahler, &height, &width, &fill_level, &balance, &cherries, &sackin, &colless,
-                       &nodes_mean_ratio, &streams_mean_ratio});
+  return StatisticSet({&statistic::strahler, &statistic::height, &statistic::width, &statistic::fill_level,
+                       &statistic::balance, &statistic::cherries, &statistic::sackin, &statistic::colless,
+                       &statistic::nodes_mean_ratio, &statistic::streams_mean_ratio});
 }
 
 void require_comparable(const Tree& tree, const Model& model, std::string_view where) {

@@ -11,9 +11,9 @@
 namespace ramify {
 namespace {
 
-using Real = boost::multiprecision::cpp_bin_float_50;
+using Digits50 = boost::multiprecision::cpp_bin_float_50;
 
-Size rounded(const Real& value) {
+Size rounded(const Digits50& value) {
   return static_cast<Size>(boost::multiprecision::floor(value + 0.5));
 }
 
@@ -36,9 +36,9 @@ std::vector<Size> geometric_grid(Size from, Size to, std::size_t count) {
     throw Error(fmt::format("a grid from {} to {} with count = {}", from, to, count),
                 "both ends belong to the grid, so only from = to has count = 1", "change count or to");
   std::vector<Size> sizes{from};
-  const Real ratio = Real(to) / from;
+  const Digits50 ratio = Digits50(to) / from;
   for (std::size_t j = 1; j < count; ++j) {
-    const Real exponent = Real(j) / (count - 1);
+    const Digits50 exponent = Digits50(j) / (count - 1);
     sizes.push_back(j + 1 == count ? to : rounded(from * boost::multiprecision::pow(ratio, exponent)));
   }
   sizes.erase(std::unique(sizes.begin(), sizes.end()), sizes.end());
@@ -51,7 +51,7 @@ std::vector<Size> scaled_grid(Size from, double factor, std::size_t count) {
     throw Error(fmt::format("a grid with factor = {}", factor), "a grid goes upwards: its factor is above 1",
                 "write factor = 4 or factor = \"1/0.23\"");
   std::vector<Size> sizes;
-  Real size = from;
+  Digits50 size = from;
   for (std::size_t j = 0; j < count; ++j, size *= factor) {
     if (size > max_size)
       throw Error(fmt::format("a grid from {} by {} with count = {}", from, factor, count),

@@ -7,6 +7,11 @@
 
 namespace ramify {
 
+/// 0 to 9, whatever the locale.
+constexpr bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
 /// A finite real written as "0.23", "1e-3" or a fraction "1/4.35"; nothing where the text is neither.
 std::optional<double> parse_real(std::string_view text);
 

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "ramify/core/contract.hpp"
+#include "ramify/core/number.hpp"
 
 namespace ramify {
 namespace {
@@ -14,10 +15,6 @@ struct Decimal {
   std::uint64_t digits = 0;
   int exponent = 0;
 };
-
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
 
 /// value * factor + more; nothing where 64 bits do not hold it.
 std::optional<std::uint64_t> grown(std::uint64_t value, std::uint64_t factor, std::uint64_t more = 0) {

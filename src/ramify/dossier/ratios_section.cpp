@@ -15,7 +15,7 @@ namespace ramify {
 namespace {
 
 /// "3.64 +- 0.11", the error to two digits.
-std::string with_error(double value, double error) {
+std::string plus_or_minus(double value, double error) {
   if (std::isnan(value)) return "";
   return std::isnan(error) ? fmt::format("{:.4g}", value) : fmt::format("{:.4g} ± {:.2g}", value, error);
 }
@@ -34,7 +34,7 @@ void add_quantity(Table& table, std::string_view what, const HortonLaws& laws, s
   bool is_known = false;
   for (const RatioKind kind : ratio_kinds) {
     const HortonRatio* ratio = over_all_orders(laws, quantity, kind);
-    row.text(ratio == nullptr ? "" : with_error(ratio->value, ratio->standard_error));
+    row.text(ratio == nullptr ? "" : plus_or_minus(ratio->value, ratio->standard_error));
     is_known = is_known || ratio != nullptr;
   }
   if (is_known) table.add(std::move(row));
@@ -48,7 +48,7 @@ void add_nodes(Table& table, const std::vector<std::uint64_t>& nodes) {
   row.text("nodes, divided by");
   for (const double ratio :
        {ratios.mean_ratio, pooled_over_orders(nodes), ratios.regression, ratios.geometric})
-    row.text(with_error(ratio, NAN));
+    row.text(plus_or_minus(ratio, NAN));
   table.add(std::move(row));
 }
 

@@ -28,7 +28,7 @@ const std::vector<std::string> known_columns{"name",
                                              "confidence",
                                              "note"};
 
-constexpr std::uint64_t largest_order = 61;
+constexpr std::uint64_t largest_printed_order = 61;
 
 bool has(const CsvData& table, std::size_t row, std::string_view column) {
   return table.column(column) && !table.at(row, column).empty();
@@ -71,8 +71,8 @@ std::vector<SizeChoice> sizes_at(const CsvData& table, std::size_t row, double r
     sizes.push_back({*n, "printed", ""});
     return sizes;
   }
-  const auto low = count_at(table, row, "max_order_low", 2, largest_order);
-  const auto high = count_at(table, row, "max_order_high", 2, largest_order);
+  const auto low = count_at(table, row, "max_order_low", 2, largest_printed_order);
+  const auto high = count_at(table, row, "max_order_high", 2, largest_printed_order);
   if (low && high && *low > *high) {
     throw error_at(table.where(row, "max_order_high"), fmt::format("max_order_high {}", *high),
                    fmt::format("it is below max_order_low {}", *low), "exchange them");

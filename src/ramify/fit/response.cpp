@@ -12,7 +12,7 @@ namespace ramify {
 namespace {
 
 /// Of a block: the searches for a root ask for some hundred trees at a time.
-constexpr std::uint64_t most_trees = 64;
+constexpr std::uint64_t most_trees_of_a_block = 64;
 constexpr double largest_step = 0.08;
 constexpr double points_of_period = 6;
 
@@ -48,7 +48,7 @@ std::vector<ResponsePoint> ResponseSurface::sample(std::span<const ResponseReque
   std::vector<std::vector<RatioValues>> values;
   for (const ResponseRequest& request : requests) {
     jobs.push_back({Model::make(*model_, std::span(&request.p, 1)), n_, seed_, sampling_of_counts(n_), 0,
-                    request.trees, most_trees});
+                    request.trees, most_trees_of_a_block});
     values.emplace_back(request.trees);
   }
   grow_blocks(jobs, threads_, *cancellation_, [&](const Block& block, const BlockTrees& trees) {

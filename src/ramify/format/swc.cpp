@@ -14,7 +14,7 @@
 namespace ramify {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_length = std::numeric_limits<double>::quiet_NaN();
 
 using detail::Point;
 
@@ -157,7 +157,7 @@ class Neuron {
     for (std::size_t node = 0; node < points.rows.size(); ++node) {
       const Point& point = points_[points.rows[node]];
       const std::uint32_t below = points.joined_to[node];
-      tree.lengths.push_back(below == no_row ? none : detail::distance(point, points_[below]));
+      tree.lengths.push_back(below == no_row ? no_length : detail::distance(point, points_[below]));
       tree.radii.push_back(point.radius);
       tree.names.set(node, point.id);
     }

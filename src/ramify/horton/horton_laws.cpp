@@ -16,7 +16,7 @@ namespace ramify {
 namespace {
 
 constexpr double badly = 0.001;  // chance of a misfit as large
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<double> reals(const std::vector<std::uint64_t>& counts) {
   return {counts.begin(), counts.end()};
@@ -52,7 +52,7 @@ class Ratios {
   Ratios(const MeasuredOrders& tree, const HortonOptions& options, const Cancellation& cancellation)
       : tree_(tree), counts_(reals(tree.streams)) {
     laws_.data = tree.name;
-    laws_.reference = none;
+    laws_.reference = unknown;
     laws_.trees = 0;
     no_model_ = no_model_for(tree);
     if (no_model_.empty()) fit_model(options, cancellation);
@@ -194,8 +194,8 @@ class Ratios {
                            double value) {
     return {quantity, fmt::format("{}{}", name_of(kind), suffix_of(range)),
             orders,   value,
-            none,     ErrorSource::none,
-            none,     {},
+            unknown,  ErrorSource::none,
+            unknown,  {},
             ""};
   }
 

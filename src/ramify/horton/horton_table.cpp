@@ -7,7 +7,7 @@
 namespace ramify {
 namespace {
 
-constexpr int digits = 5;
+constexpr int ratio_digits = 5;
 
 std::string_view name_of(ErrorSource source) {
   switch (source) {
@@ -43,9 +43,9 @@ void add_row(const HortonLaws& tree, const HortonRatio& ratio, unsigned leaf_ord
     row.nothing().nothing();
   else
     row.whole(ratio.orders.first + leaf_order).whole(ratio.orders.last + leaf_order);
-  row.significant(ratio.value, digits).significant(ratio.standard_error, digits);
+  row.significant(ratio.value, ratio_digits).significant(ratio.standard_error, ratio_digits);
   row.text(std::isnan(ratio.standard_error) ? "" : name_of(ratio.error_from));
-  row.significant(ratio.bias, digits).text(std::isnan(ratio.bias) ? "" : tree.reference_name);
+  row.significant(ratio.bias, ratio_digits).text(std::isnan(ratio.bias) ? "" : tree.reference_name);
   const bool of_model = ratio.error_from == ErrorSource::law || ratio.error_from == ErrorSource::trees;
   row.text(of_model ? tree.model : "");
   if (ratio.error_from == ErrorSource::trees)

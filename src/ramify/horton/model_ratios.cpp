@@ -10,9 +10,9 @@
 namespace ramify {
 namespace {
 
-constexpr std::uint64_t most_trees_of_a_block = 64;
+constexpr std::uint64_t trees_of_a_block = 64;
 constexpr std::uint64_t fewest_judged = 40;
-constexpr double usual = 0.95;
+constexpr double usually = 0.95;
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
 /// Of counts, which fall.
@@ -39,7 +39,7 @@ ModelRatios::ModelRatios(const Model& model, std::span<const double> counts, con
       counts_(counts.begin(), counts.end()),
       trees_(plan.trees) {
   const Size n = static_cast<Size>(counts.front()) - 1;
-  const GrowingJob job{model, n, plan.seed, sampling_of_counts(n), 0, plan.trees, most_trees_of_a_block};
+  const GrowingJob job{model, n, plan.seed, sampling_of_counts(n), 0, plan.trees, trees_of_a_block};
   grow_blocks({job}, plan.threads, cancellation, [&](const Block&, const BlockTrees& grown) {
     grown.each([&](std::uint64_t replicate, const TreeMeasures& measures) {
       std::size_t orders = measures.strahler + std::size_t{1};
@@ -103,7 +103,7 @@ std::vector<std::size_t> ModelRatios::outlying() const {
   for (const std::vector<double>& tree : trees_) usual_farthest.add(farthest(tree, means, deviations));
   std::vector<std::size_t> found;
   if (usual_farthest.count() < fewest_judged) return found;
-  const double limit = usual_farthest.interpolated_quantiles({usual}).front();
+  const double limit = usual_farthest.interpolated_quantiles({usually}).front();
   for (std::size_t k = 0; k + 1 < counts_.size() && k < means.size(); ++k) {
     // Trees of mean counts scatter too little in the low orders: there the law is asked.
     const bool dense = k + 1 < law_.orders() && law_.means[k + 1] >= OrderSpan::many;

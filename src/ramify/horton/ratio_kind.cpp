@@ -9,7 +9,7 @@
 namespace ramify {
 namespace {
 
-constexpr double step = 1e-4;  // of log x
+constexpr double log_step = 1e-4;  // of log x
 
 double pooled(std::span<const double> rising) {
   if (rising.size() < 2) return std::numeric_limits<double>::quiet_NaN();
@@ -51,12 +51,12 @@ std::vector<double> log_slopes(RatioKind kind, std::span<const double> rising) {
   std::vector<double> slopes, moved(rising.begin(), rising.end());
   for (double& value : moved) {
     const double kept = value;
-    value = kept * std::exp(step);
+    value = kept * std::exp(log_step);
     const double up = ratio_of(kind, moved);
-    value = kept * std::exp(-step);
+    value = kept * std::exp(-log_step);
     const double down = ratio_of(kind, moved);
     value = kept;
-    slopes.push_back(std::isnan(kept) ? 0 : std::log(up / down) / (2 * step));
+    slopes.push_back(std::isnan(kept) ? 0 : std::log(up / down) / (2 * log_step));
   }
   return slopes;
 }

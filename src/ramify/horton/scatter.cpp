@@ -9,7 +9,7 @@ namespace ramify {
 namespace {
 
 constexpr std::size_t fewest_values = 5;
-constexpr double level = 0.05;
+constexpr double outlier_level = 0.05;
 
 /// The least-squares line through the known values' logarithms.
 struct Line {
@@ -58,8 +58,8 @@ std::vector<std::size_t> off_the_line(std::span<const double> values) {
   std::vector<std::size_t> found;
   if (line.places.size() < fewest_values) return found;
   const double degrees = line.known() - 3;
-  const double limit =
-      quantile(boost::math::students_t(degrees), 1 - level / 2 / static_cast<double>(line.places.size()));
+  const double limit = quantile(boost::math::students_t(degrees),
+                                1 - outlier_level / 2 / static_cast<double>(line.places.size()));
   for (std::size_t i = 0; i < line.places.size(); ++i) {
     const double x = line.distance(line.places[i]);
     const double freedom = 1 - 1 / line.known() - x * x / line.spread;  // 1 - leverage

@@ -81,7 +81,7 @@ double reach(const Fraction& x, double log_n, double decay, double more) {
   });
 }
 
-double depths(const Fraction& x, double n) {
+double fraction_depths(const Fraction& x, double n) {
   const double log_n = x.log_steps(n);
   const double high = std::min(n, reach(x, log_n, negligible_depth, 0));
   const double low = -least([&](double u) {
@@ -91,7 +91,7 @@ double depths(const Fraction& x, double n) {
   return high - std::max(0.0, low);
 }
 
-double heights(const Fraction& x, double n) {
+double fraction_heights(const Fraction& x, double n) {
   const double log_n = x.log_steps(n);
   const double high = std::min(n, reach(x, log_n, negligible_height, 1));
   // Trees that are nearly chains have low heights too.
@@ -121,7 +121,7 @@ double beta_width(const BetaFraction& beta, double n, double cut, OfFraction of_
 
 /// depths or heights of a model.
 template <class OfFraction>
-double width(const Model& model, Size size, double cut, OfFraction of_fraction) {
+double value_width(const Model& model, Size size, double cut, OfFraction of_fraction) {
   const double n = std::max(2.0, static_cast<double>(size));
   const SplitFraction fraction = model.character().fraction;
   double values = 0;
@@ -141,11 +141,13 @@ double width(const Model& model, Size size, double cut, OfFraction of_fraction) 
 }  // namespace
 
 double depth_width(const Model& model, Size n) {
-  return width(model, n, negligible_depth, depths);
+  return value_width(model, n, negligible_depth, fraction_depths);
 }
 
 double height_width(const Model& model, Size n) {
-  return splits_in_one_way(model.character().fraction) ? 1 : width(model, n, negligible_height, heights);
+  return splits_in_one_way(model.character().fraction)
+             ? 1
+             : value_width(model, n, negligible_height, fraction_heights);
 }
 
 }  // namespace ramify

@@ -9,7 +9,8 @@
 namespace ramify {
 namespace {
 
-constexpr Estimate none{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
+constexpr Estimate no_estimate{std::numeric_limits<double>::quiet_NaN(),
+                               std::numeric_limits<double>::quiet_NaN()};
 
 template <class Summary>
 ColumnSummary moments_of(const StatisticColumn& column, const Summary& values) {
@@ -95,8 +96,9 @@ std::vector<OrderSummary> CellAccumulator::summarise_orders() const {
   std::vector<OrderSummary> orders;
   for (std::size_t k = 0; k <= sums_.nodes.highest(); ++k) {
     const bool top = k == sums_.nodes.highest();
-    orders.push_back({sums_.nodes.mean(k), sums_.streams.mean(k), top ? none : sums_.nodes.pooled_ratio(k),
-                      top ? none : sums_.streams.pooled_ratio(k)});
+    orders.push_back({sums_.nodes.mean(k), sums_.streams.mean(k),
+                      top ? no_estimate : sums_.nodes.pooled_ratio(k),
+                      top ? no_estimate : sums_.streams.pooled_ratio(k)});
   }
   return orders;
 }

@@ -6,7 +6,7 @@
 namespace ramify {
 namespace {
 
-Row head(const CheckedCell& cell, std::uint64_t trees) {
+Row row_head(const CheckedCell& cell, std::uint64_t trees) {
   Row row;
   row.whole(cell.number).text(cell.result.model).whole(cell.result.n).whole(trees);
   return row;
@@ -27,7 +27,7 @@ Table summary_table(const std::vector<CheckedCell>& cells) {
   for (const auto& cell : cells) {
     for (std::size_t i = 0; i < cell.result.columns.size(); ++i) {
       const auto& c = cell.result.columns[i];
-      auto row = head(cell, c.trees);
+      auto row = row_head(cell, c.trees);
       row.text(c.column.name());
       for (const double value : {c.mean, c.standard_error, c.variance, c.min, c.q05, c.q50, c.q95, c.max})
         row.summary(value);
@@ -48,7 +48,7 @@ Table orders_table(const std::vector<CheckedCell>& cells) {
   for (const auto& cell : cells) {
     for (std::size_t k = 0; k < cell.result.orders.size(); ++k) {
       const auto& order = cell.result.orders[k];
-      auto row = head(cell, cell.result.replicates);
+      auto row = row_head(cell, cell.result.replicates);
       row.whole(0).whole(k);
       for (const auto& estimate :
            {order.nodes, order.streams, order.nodes_pooled_ratio, order.streams_pooled_ratio})
@@ -64,7 +64,7 @@ Table histograms_table(const std::vector<CheckedCell>& cells) {
   for (const auto& cell : cells) {
     for (const auto& column : cell.result.columns) {
       for (const auto& [value, trees] : column.histogram) {
-        table.add(head(cell, column.trees).text(column.column.name()).whole(value).whole(trees));
+        table.add(row_head(cell, column.trees).text(column.column.name()).whole(value).whole(trees));
       }
     }
   }

@@ -25,7 +25,7 @@ const Recurrence& recurrence_of(FoldSet pass) {
   return found->get().law.recurrence;
 }
 
-Size largest_table(const Model& model, FoldSet pass) {
+Size largest_grafted_table(const Model& model, FoldSet pass) {
   if (is_walk(pass) || is_streamed(pass)) return 0;
   if (pass == orders_and_paths) return 12;
   if (pass == orders_and_height) return 28;
@@ -59,7 +59,7 @@ Size graft(FoldSet pass, Size n) {
 GraftRule::GraftRule(const Model& model, SamplingMethod method)
     : model_(model),
       method_(method),
-      largest_(method.graft && model.is_split() ? largest_table(model, method.pass) : 0),
+      largest_(method.graft && model.is_split() ? largest_grafted_table(model, method.pass) : 0),
       depth_exponent_(model.is_split() ? depth_exponent(model.character().fraction) : 0) {}
 
 Size GraftRule::size(Size n) const {

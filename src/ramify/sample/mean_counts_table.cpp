@@ -12,7 +12,7 @@ namespace ramify {
 namespace {
 
 /// Of a model without large laws: what takes some seconds.
-constexpr Size largest_exact = 8192;
+constexpr Size largest_with_exact_means = 8192;
 
 MeanCounts::Tally mean_tally(const ConditionalOrderMeans& law, Size n, std::size_t order) {
   std::vector<double> nodes, streams;
@@ -26,7 +26,7 @@ MeanCounts::Tally mean_tally(const ConditionalOrderMeans& law, Size n, std::size
 }  // namespace
 
 Size MeanCountsTable::largest(const Model& model) {
-  return no_large_laws(model).empty() ? MeanCounts::largest_grafted : largest_exact;
+  return no_large_laws(model).empty() ? MeanCounts::largest_grafted : largest_with_exact_means;
 }
 
 MeanCountsTable::MeanCountsTable(const Model& model, Size largest, const Cancellation& cancellation)

@@ -11,7 +11,7 @@ namespace ramify {
 namespace {
 
 bool all_digits(std::string_view text) {
-  return std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
+  return std::ranges::all_of(text, is_digit);
 }
 
 /// "1", "12" or "123", then groups of three digits, the mark between them; there is one at least.

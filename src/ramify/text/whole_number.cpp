@@ -4,16 +4,13 @@
 #include <array>
 #include <charconv>
 
+#include "ramify/core/number.hpp"
 #include "ramify/text/trimmed.hpp"
 
 namespace ramify {
 namespace {
 
 constexpr std::size_t most_digits = 40;
-
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
 
 std::string_view without_leading_zeros(std::string_view digits) {
   return digits.substr(std::min(digits.find_first_not_of('0'), digits.size() - 1));
