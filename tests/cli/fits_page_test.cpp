@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "page_numbers.hpp"
 #include "program.hpp"
 #include <gtest/gtest.h>
 
@@ -102,24 +103,6 @@ TEST(ReferenceFits, AreThoseOfThisProgram) {
                      {"patricia", "aldous", "ford", "bst", "catalan"}, "");
   expect_fitted_anew("fits_bootstrap.csv", {"new_hope_creek"}, {"ford", "bst", "catalan"},
                      " --bootstrap 200");
-}
-
-/// The cells of a row of a table in Markdown.
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells;
-  std::istringstream stream(line.substr(1));
-  for (std::string cell; std::getline(stream, cell, '|');) {
-    const auto begin = cell.find_first_not_of(" `"), end = cell.find_last_not_of(" `");
-    cells.push_back(begin == std::string::npos ? "" : cell.substr(begin, end - begin + 1));
-  }
-  return cells;
-}
-
-/// Whether a printed number is this one, rounded.
-bool is_rounded(const std::string& printed, double value) {
-  const auto point = printed.find('.');
-  const double decimals = point == std::string::npos ? 0 : static_cast<double>(printed.size() - point - 1);
-  return std::abs(std::stod(printed) - value) <= 0.501 * std::pow(10, -decimals);
 }
 
 /// The first row of a data set's fit by a family, or its test of a simpler one.
