@@ -6,7 +6,7 @@
 // n. Of random BSTs both ratios are 3.0438 and the fact holds of either.
 #include <cmath>
 
-#include "growth.hpp"
+#include "law_pictures.hpp"
 #include "order_fraction.hpp"
 #include <fmt/format.h>
 
@@ -52,6 +52,23 @@ ClaimPart ratio_part(std::string part, const Model& model, OrderCount::Of of, do
   });
 }
 
+/// Ratios of nodes and of streams settle at two numbers in uniform trees, at one in BSTs.
+std::vector<NamedPlot> ratios_of_both_counts(const Evidence& evidence) {
+  const auto of = [&](const char* model, OrderCount::Of count, double limit) {
+    return OrderedCounts{fmt::format("{} of {}: to {:.5g}",
+                                     count == OrderCount::Of::nodes ? "nodes" : "streams", model, limit),
+                         expected_counts(Model::parse(model), count, evidence.cancellation), limit};
+  };
+  const double uniform = horton_ratio_constant(Model::parse("catalan")).value().value,
+               grown = horton_ratio_constant(Model::parse("bst")).value().value;
+  return {
+      ratio_picture({"C9_ratios", "Horton's law of streams and of nodes", "X_k / X_(k+1)"},
+                    "expected counts at n = 10^12; S_n ~ log_R n with the ratio of streams",
+                    {of("catalan", OrderCount::Of::streams, uniform),
+                     of("catalan", OrderCount::Of::nodes, ratio_of_catalan_nodes),
+                     of("bst", OrderCount::Of::streams, grown), of("bst", OrderCount::Of::nodes, grown)})};
+}
+
 }  // namespace
 
 Claim order_by_ratio_claim() {
@@ -74,7 +91,8 @@ Claim order_by_ratio_claim() {
       {order_part(by_streams, catalan), order_part(by_nodes, catalan), order_part(of_bst, bst),
        ratio_part("C9.4", catalan, OrderCount::Of::streams, streams, {"2, nodes", ratio_of_catalan_nodes}),
        ratio_part("C9.5", catalan, OrderCount::Of::nodes, ratio_of_catalan_nodes, {"4, streams", streams})},
-      {}};
+      {},
+      ratios_of_both_counts};
 }
 
 }  // namespace ramify

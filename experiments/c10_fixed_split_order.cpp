@@ -4,7 +4,9 @@
 //
 // So that equality is no matter of rounding, S - 1 <= log_(1/X) n is asked as X^-(S-1) <= n, in whole numbers
 // of the fraction as it is written.
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "claim.hpp"
@@ -53,6 +55,29 @@ Basis broken_bounds(const Cancellation& cancellation) {
       fmt::format("every n to {} of {} X from 0.01 to 1/2, in whole numbers", fact_32_to, fractions.size()));
 }
 
+/// S of every size beneath the bound, which X = 1/4 touches at n = 4.
+std::vector<NamedPlot> orders_below_the_bound(const Evidence& evidence) {
+  Plot plot{"Horton-Strahler number of deterministic split trees",
+            "exact, every n; dashed: the bound log_(1/X) n + 1", "n (internal nodes)", "S(T) (leaf order 0)",
+            true};
+  for (const char* x : {"1/2", "1/4", "0.1"}) {
+    const Model model = Model::parse(fmt::format("split({})", x));
+    const auto orders = one_way_orders(model, fact_32_to, evidence.cancellation);
+    PlotSeries series{fmt::format("X = {}", x)};
+    const double log_base = -std::log(model.parameters().front());
+    for (Size n = 1; n <= fact_32_to; ++n) {
+      const bool is_drawn = n == 1 || n == fact_32_to || orders[n] != orders[n - 1] ||
+                            orders[n] != orders[std::min(n + 1, fact_32_to)];
+      if (!is_drawn) continue;
+      const auto size = static_cast<double>(n);
+      series.curve.push_back({size, static_cast<double>(orders[n])});
+      series.guide.push_back({size, std::log(size) / log_base + 1});
+    }
+    plot.series.push_back(std::move(series));
+  }
+  return {{"C10_split_order", std::move(plot)}};
+}
+
 }  // namespace
 
 Claim fixed_split_order_claim() {
@@ -69,7 +94,8 @@ Claim fixed_split_order_claim() {
           "S <= log_(1/X) n + 1 of deterministic split trees",
           "K96 Fact 3.2",
           {part_without_trees(bound, [](const Evidence& e) { return broken_bounds(e.cancellation); })},
-          {}};
+          {},
+          orders_below_the_bound};
 }
 
 }  // namespace ramify

@@ -8,6 +8,7 @@
 
 #include "claim.hpp"
 #include "exact_range.hpp"
+#include "law_pictures.hpp"
 #include "one_way_trees.hpp"
 #include <fmt/format.h>
 
@@ -80,6 +81,22 @@ Basis mean_ratio(const std::vector<std::uint64_t>& counts) {
   return ratio.basis(static_cast<double>(botanical_size), "the one tree there is", error);
 }
 
+/// Large trees have 1/X in the middle; the tree of 579 nodes has no middle.
+std::vector<NamedPlot> ratios_of_fixed_splits(const Evidence&) {
+  const auto of = [](const char* text, Size n, const char* size, bool with_limit) {
+    const Model model = Model::parse(text);
+    const auto streams = one_way_counts(model, n).streams;
+    OrderedCounts counts{fmt::format("{}, n = {}", text, size), {streams.begin(), streams.end()}};
+    if (with_limit) counts.limit = claimed_ratio(model);
+    return counts;
+  };
+  constexpr Size large = 1'000'000'000'000'000;
+  return {ratio_picture({"C11_split_ratios", "Stream ratios of deterministic split trees", "M_k / M_(k+1)"},
+                        "exact; dashed: 1/X",
+                        {of("split(1/4.35)", large, "10^15", true), of("split(1/2.74)", large, "10^15", true),
+                         of("split(1/4.35)", botanical_size, "579", false)})};
+}
+
 }  // namespace
 
 Claim fixed_split_ratio_claim() {
@@ -97,7 +114,12 @@ Claim fixed_split_ratio_claim() {
       part_without_trees(botanical_ratio("C11.6", botanical, "streams"), [botanical](const Evidence&) {
         return mean_ratio(one_way_counts(botanical, botanical_size).streams);
       }));
-  return {"C11", "bifurcation ratio 1/X of deterministic split trees", "K96 Fact 3.3", parts, {}};
+  return {"C11",
+          "bifurcation ratio 1/X of deterministic split trees",
+          "K96 Fact 3.3",
+          parts,
+          {},
+          ratios_of_fixed_splits};
 }
 
 }  // namespace ramify

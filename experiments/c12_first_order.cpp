@@ -6,7 +6,7 @@
 // 1/R with the ratio of nodes, 2, and not with that of streams, 4.
 #include <cmath>
 
-#include "claim.hpp"
+#include "law_pictures.hpp"
 #include "order_fraction.hpp"
 #include <fmt/format.h>
 
@@ -39,6 +39,23 @@ ClaimPart first_order_part(Statement statement, const Model& model) {
   });
 }
 
+/// N_1/n = 1 - 1/R wants N_1/N_2 = R: the ratio that the lowest orders are far from.
+std::vector<NamedPlot> ratios_from_the_first_order(const Evidence& evidence) {
+  const auto of = [&](const char* text, double ratio) {
+    const Model model = Model::parse(text);
+    auto nodes = expected_counts(model, OrderCount::Of::nodes, evidence.cancellation);
+    nodes.erase(nodes.begin());  // external ones
+    return OrderedCounts{fmt::format("{}: R = {:.5g}", text, ratio), std::move(nodes), ratio, 1};
+  };
+  constexpr double catalan_nodes = 2;
+  return {
+      ratio_picture({"C12_node_ratios", "Where Horton's law of nodes sets in", "N_k / N_(k+1)"},
+                    "expected counts at n = 10^12; dashed: R, which N_1/n = 1 - 1/R takes for granted from "
+                    "k = 1 on",
+                    {of("bst", limit_ratio_of(Model::parse("bst"))), of("catalan", catalan_nodes),
+                     of("patricia(0.23)", limit_ratio_of(Model::parse("patricia(0.23)")))})};
+}
+
 }  // namespace
 
 Claim first_order_claim() {
@@ -59,7 +76,8 @@ Claim first_order_claim() {
            first_order_part(of_streams, catalan),
            first_order_part(first_order("C12.4", patricia, "streams and nodes", limit_ratio_of(patricia)),
                             patricia)},
-          {}};
+          {},
+          ratios_from_the_first_order};
 }
 
 }  // namespace ramify

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "law_pictures.hpp"
 #include "patricia.hpp"
 #include "trie_lattice.hpp"
 #include <fmt/format.h>
@@ -146,6 +147,18 @@ std::vector<ClaimPart> balance_growth_parts() {
   return parts;
 }
 
+/// E B_n less log_(1/p) n, and what the first ratio of streams would make of it.
+std::vector<NamedPlot> balance_residuals(const Evidence&) {
+  std::vector<GrowthResidual> models;
+  for (const char* text : {"patricia(1/2.74)", "patricia(0.23)"}) {
+    const Model model = Model::parse(text);
+    models.push_back({model, balance_constant(model).value().value, rival_patricia_orders(model).front()});
+  }
+  return {residual_picture({"C14_balance_residual", "Balance number of PATRICIA trees, less log_(1/p) n",
+                            "mean B_n less the claim"},
+                           statistic::balance, models)};
+}
+
 }  // namespace
 
 Claim trie_balance_claim() {
@@ -165,7 +178,8 @@ Claim trie_balance_claim() {
           "B_n <= (1+eps) log_(1/m) n: balance number of random tries and PATRICIA trees",
           "K96 Theorem B.1, Corollary B.1",
           std::move(parts),
-          {}};
+          {},
+          balance_residuals};
 }
 
 }  // namespace ramify

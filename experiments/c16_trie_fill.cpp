@@ -58,13 +58,20 @@ Basis worst_of_fill_bound(double p, const Cancellation& cancellation) {
           ""};
 }
 
-/// F_n / log n at n = 10^300 but for a chance of 1/500, by the two bounds.
-Basis between_trie_bounds(double p) {
-  constexpr double n = 1e300, chance = 1e-3;
-  const double smaller = std::min(p, 1 - p), log_n = std::log(n);
+/// The least and the largest F_n but for a chance of 1/500, by the two bounds.
+Interval fill_levels_left(double n, double p) {
+  constexpr double chance = 1e-3;
+  const double smaller = std::min(p, 1 - p);
   double level = 0;
   while (log_trie_fill_bound(n, smaller, level + 1) <= std::log(chance)) ++level;
-  const double highest = std::floor((log_n - std::log(chance)) / -std::log(smaller));
+  return {level, std::floor((std::log(n) - std::log(chance)) / -std::log(smaller))};
+}
+
+/// F_n / log n at n = 10^300.
+Basis between_trie_bounds(double p) {
+  constexpr double n = 1e300;
+  const double log_n = std::log(n);
+  const auto [level, highest] = fill_levels_left(n, p);
   return {
       EvidenceKind::limit,
       Standing::proved,
@@ -104,6 +111,27 @@ Statement trie_fill_limit(std::size_t number, double p) {
           std::nullopt};
 }
 
+/// F_n/log n between its two bounds closes in on the constant.
+std::vector<NamedPlot> fill_levels_closing_in(const Evidence&) {
+  Plot plot{"Fill level of random tries",
+            "bars: what two bounds leave of F_n but for a chance of 1/500; dashed: 1/log(1/m)",
+            "log10 of n (strings)", "F_n / log n"};
+  for (const auto& [name, p] :
+       {std::pair{"p = 1/2.74", 1 / 2.74}, std::pair{"p = 0.23", 0.23}, std::pair{"p = 1/4.8", 1 / 4.8}}) {
+    PlotSeries series{name};
+    const double limit = -1 / std::log(p);
+    for (int power = 10; power <= 300; power += 10) {
+      const double n = std::pow(10.0, power);
+      const auto [lower, upper] = fill_levels_left(n, p);
+      series.points.push_back({static_cast<double>(power), (lower + upper) / (2 * std::log(n)),
+                               (upper - lower) / (2 * std::log(n))});
+      series.guide.push_back({static_cast<double>(power), limit});
+    }
+    plot.series.push_back(std::move(series));
+  }
+  return {{"C16_trie_fill", std::move(plot)}};
+}
+
 }  // namespace
 
 Claim trie_fill_claim() {
@@ -119,7 +147,8 @@ Claim trie_fill_claim() {
           "F_n >= (1-eps) log_(1/m) n: fill level of random tries",
           "K96 Theorem B.2",
           std::move(parts),
-          {}};
+          {},
+          fill_levels_closing_in};
 }
 
 }  // namespace ramify

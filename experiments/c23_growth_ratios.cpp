@@ -12,6 +12,7 @@
 #include "at_infinity.hpp"
 #include "bi_order_means.hpp"
 #include "exact_range.hpp"
+#include "law_pictures.hpp"
 #include "order_ratio_limit.hpp"
 #include <fmt/format.h>
 
@@ -135,6 +136,18 @@ Statement geometric_side_branches() {
           std::nullopt};
 }
 
+/// The ratios of both growth models and of other splits, order by order.
+std::vector<NamedPlot> ratios_of_growth(const Evidence& evidence) {
+  std::vector<OrderedCounts> series;
+  for (const char* model : {"catalan", "beta(1,5)", "aldous(-1)", "beta(0.5,0.5)", "bst", "beta(10,10)"})
+    series.push_back(expected_streams(model, horton_ratio(model), evidence.cancellation));
+  return {ratio_picture(
+      {"C23_stream_ratios", "Stream ratios of growth models and of beta splits", "M_k / M_(k+1)"},
+      "expected counts at n = 10^12; dashed: the limit R; segmental growth is catalan, terminal "
+      "growth bst",
+      series)};
+}
+
 }  // namespace
 
 Claim growth_ratio_claim() {
@@ -151,7 +164,8 @@ Claim growth_ratio_claim() {
        limit_of_split(6, "beta(0.5,0.5)", {{"1/E X", 2}}), limit_of_split(7, "beta(10,10)", {{"1/E X", 2}}),
        limit_of_split(8, "beta(1,5)", {{"1/E X", 6}, {"1/E(1-X)", 1.2}}),
        part_without_trees(geometric_side_branches(), side_branch_curvature)},
-      {}};
+      {},
+      ratios_of_growth};
 }
 
 }  // namespace ramify

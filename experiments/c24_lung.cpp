@@ -9,11 +9,12 @@
 // S_n ~ log n / log R, so that a growth constant is a ratio: evidence is that of C19 and C20.
 #include <cmath>
 
-#include "growth.hpp"
+#include "law_pictures.hpp"
 #include "lung.hpp"
 #include <fmt/format.h>
 
 #include "ramify/theory/depth_constant.hpp"
+#include "ramify/theory/horton_ratio_constant.hpp"
 #include "ramify/theory/strahler_constant.hpp"
 
 namespace ramify {
@@ -69,6 +70,46 @@ Statement proposal(const Model& patricia) {
       std::nullopt};
 }
 
+/// Ratios of streams beside the lung's.
+NamedPlot ratios_beside_the_lung(const Cancellation& cancellation) {
+  std::vector<OrderedCounts> series;
+  for (const char* model : {"catalan", "bst", "patricia(1/2.74)"})
+    series.push_back(
+        expected_streams(model, horton_ratio_constant(Model::parse(model)).value().value, cancellation));
+  series.push_back({"bronchial tree: 2.74", {}, bronchial_tree.bifurcation.value});
+  series.push_back({"pulmonary artery: 3.39", {}, pulmonary_artery.bifurcation.value});
+  return ratio_picture({"C24_lung", "Stream ratios of growth models and of the lung", "M_k / M_(k+1)"},
+                       "expected counts at n = 10^12; dashed: the limit, and what Cumming et al. measured",
+                       series);
+}
+
+/// R(a,b) against b, a curve for each a.
+NamedPlot map_of_ratios() {
+  Plot plot{"Limiting stream ratio R(a,b) of beta splits",
+            "by the travelling wave of docs/theory/horton-ratio.md; dashed: the bronchial tree", "b",
+            "R(a,b)", true};
+  constexpr double least = 0.25, step = 1.4142135623730951;
+  constexpr int steps = 14;  // to b = 32
+  for (const double a : {0.5, 1.0, 2.0, 5.0, 20.0}) {
+    PlotSeries series{fmt::format("a = {}", a)};
+    for (int i = 0; i <= steps; ++i) {
+      const double b = least * std::pow(step, i);
+      if (const auto ratio = horton_ratio_constant(Model::parse(fmt::format("beta({},{})", a, b))))
+        series.curve.push_back({b, ratio->value});
+    }
+    plot.series.push_back(std::move(series));
+  }
+  const double lung = bronchial_tree.bifurcation.value;
+  PlotSeries measured{"bronchial tree: 2.74"};
+  measured.guide = {{least, lung}, {least * std::pow(step, steps), lung}};
+  plot.series.push_back(std::move(measured));
+  return {"C24_ratio_map", std::move(plot)};
+}
+
+std::vector<NamedPlot> lung_pictures(const Evidence& evidence) {
+  return {ratios_beside_the_lung(evidence.cancellation), map_of_ratios()};
+}
+
 }  // namespace
 
 Claim lung_claim() {
@@ -94,7 +135,8 @@ Claim lung_claim() {
            ratio_by_growth("bst", order_ladder(statistic::balance, Approach::drifts, balances))),
        part_without_trees(proposal(Model::parse(proposed)),
                           ratio_by_growth(proposed, order_ladder(order, Approach::drifts, patricia_orders)))},
-      {}};
+      {},
+      lung_pictures};
 }
 
 }  // namespace ramify

@@ -127,13 +127,25 @@ const Claim& made(const Numbered& numbered) {
   return place->second;
 }
 
-/// "C20" of "c20", "C20.2": parts are decided together.
-std::string whole_claim(std::string id) {
-  std::ranges::transform(id, id.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+/// "C20" of "C20.2": parts are decided together.
+std::string whole_claim(const std::string& id) {
   const auto point = id.find('.');
   const bool has_part = point != std::string::npos && point + 1 < id.size() &&
                         id.find_first_not_of("0123456789", point + 1) == std::string::npos;
   return has_part ? id.substr(0, point) : id;
+}
+
+/// The claim of an id in either case. Throws Error for one that is not there, and for a part that it has not.
+const Claim& find_claim(std::string id) {
+  std::ranges::transform(id, id.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  const std::string whole = whole_claim(id);
+  const Claim& claim = made(find_named(catalogue, &Numbered::id, whole, "claim"));
+  const auto is_it = [&](const ClaimPart& part) { return part.statement.part == id; };
+  if (id != whole && std::ranges::none_of(claim.parts, is_it))
+    throw Error(fmt::format("claim {}", id),
+                fmt::format("the parts of {} end with {}", whole, claim.parts.back().statement.part),
+                "see: ramify list claims");
+  return claim;
 }
 
 }  // namespace
@@ -154,8 +166,7 @@ std::vector<const Claim*> find_claims(std::string_view ids) {
   std::string text(ids);
   std::ranges::replace(text, ',', ' ');
   std::istringstream words{text};
-  for (std::string id; words >> id;)
-    found.push_back(&made(find_named(catalogue, &Numbered::id, whole_claim(id), "claim")));
+  for (std::string id; words >> id;) found.push_back(&find_claim(id));
   return found;
 }
 

@@ -65,6 +65,9 @@ struct Claim {
   std::vector<ClaimPart> parts;
   /// Of the cells of all configs that serve it, model by model in their order.
   std::function<std::vector<NamedPlot>(const std::vector<ModelCells>&)> plots;
+  /// Pictures that need no trees (law_pictures.hpp); none where left out.
+  // NOLINTNEXTLINE(readability-redundant-member-init): -Wextra wants it where an aggregate leaves it out
+  std::function<std::vector<NamedPlot>(const Evidence&)> law_plots = {};
 
   bool speaks_of(const Model& model) const;
   /// False where no part takes trees: no config serves such a claim.
@@ -79,7 +82,7 @@ std::vector<const Claim*> claims();
 std::vector<const Claim*> claims_among(const std::function<bool(std::string_view id)>& is_wanted);
 
 /// The claims that a config's `claim` key or --claim names, in either case, a part (C20.2) for its whole;
-/// throws Error for an unknown one (nearest names given).
+/// throws Error for an unknown one (nearest names given) and an unknown part.
 std::vector<const Claim*> find_claims(std::string_view ids);
 
 /// Cells of every model, and trees of a cell, without which nothing is held against the laws: of fewer the

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <vector>
 
-#include "claim.hpp"
+#include "law_pictures.hpp"
 #include <fmt/format.h>
 
 #include "ramify/compare/interval.hpp"
@@ -141,6 +141,21 @@ Statement ratio_of_recipe(std::size_t number, const char* species, double ratio,
           std::nullopt};
 }
 
+/// The ratio goes from h/(pq) to 1/p as the order grows; a tree of the apple's size has the low orders alone.
+std::vector<NamedPlot> ratios_of_recipes(const Evidence& evidence) {
+  constexpr Size apple = 579;
+  constexpr const char *of_apple = "patricia(1/4.35)", *of_lung = "patricia(1/2.74)";
+  const double apple_ratio = 1 / Model::parse(of_apple).parameters().front(),
+               lung_ratio = 1 / Model::parse(of_lung).parameters().front();
+  auto small = stream_counts(Model::parse(of_apple), apple, evidence.cancellation).means;
+  std::erase_if(small, [](double mean) { return mean < 1; });
+  return {ratio_picture({"H2_recipe", "PATRICIA trees of p = 1/R: their stream ratios", "M_k / M_(k+1)"},
+                        "expected counts at n = 10^12; dashed: R = 1/p",
+                        {expected_streams(of_apple, apple_ratio, evidence.cancellation),
+                         expected_streams(of_lung, lung_ratio, evidence.cancellation),
+                         {"patricia(1/4.35), n = 579", std::move(small)}})};
+}
+
 struct RecipeCase {
   const char* species;
   double ratio;
@@ -171,7 +186,8 @@ Claim recipe_claim() {
           "p = 1/R: a PATRICIA tree of p = 1/R has the bifurcation ratio R",
           "K96 3.1.5, 3.2.2",
           std::move(parts),
-          {}};
+          {},
+          ratios_of_recipes};
 }
 
 }  // namespace ramify

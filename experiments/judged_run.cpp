@@ -2,6 +2,7 @@
 
 #include "verdicts.hpp"
 
+#include "ramify/core/parallel.hpp"
 #include "ramify/io/atomic_file.hpp"
 #include "ramify/io/csv_writer.hpp"
 
@@ -34,6 +35,16 @@ void write_verdicts(const std::vector<Verdict>& verdicts, const Ledger& ledger,
   write_file_atomically(folder / "verdicts.csv", write_csv(verdict_table(verdicts)));
   write_plots(ledger, folder / "plots");
   write_file_atomically(folder / "verdicts.txt", verdict_text(verdicts));
+}
+
+void write_law_plots(const std::vector<const Claim*>& claims, GrowthLimits& limits, unsigned threads,
+                     const Cancellation& cancellation, const std::filesystem::path& folder) {
+  std::vector<std::vector<NamedPlot>> drawn(claims.size());
+  parallel_for(claims.size(), threads, [&](std::size_t i, unsigned) {
+    if (claims[i]->law_plots) drawn[i] = claims[i]->law_plots({limits, cancellation});
+  });
+  for (const auto& of_claim : drawn)
+    for (const auto& [stem, plot] : of_claim) write_plot(plot, folder / "plots", stem);
 }
 
 }  // namespace ramify

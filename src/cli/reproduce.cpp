@@ -72,6 +72,7 @@ ExitCode reproduce(const ReproduceArguments& options, const Cancellation& cancel
   const Ledger ledger = run_configs(configs, options.flags, limits, cancellation);
   const auto judged = judge_claims(ledger, asked_for(options), options.flags, limits, cancellation);
   write_verdicts(judged.verdicts, ledger, out);
+  write_law_plots(asked_for(options), limits, read_threads(options.flags.threads), cancellation, out);
   emit(verdict_text(judged.verdicts));
   fmt::print(stderr, "verdicts: {0}/verdicts.csv\nplots:    {0}/plots\ntables:   {0}/<config>/summary.csv\n",
              out.string());

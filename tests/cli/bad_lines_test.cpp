@@ -218,6 +218,7 @@ BadLines bad_choices() {
       {"reproduce --scale medium", "quick"},
       {"reproduce --claim C200", "did you mean C20"},
       {"reproduce --claim C20.", "C20"},
+      {"reproduce --claim c20.7", "the parts of C20 end with C20.3"},
       {"reproduce --claim X1", "claim"},
       {"reproduce --configs nothere", "--configs"},
       {"reproduce --claim C22 --configs docs", "docs/quick"},

@@ -63,6 +63,13 @@ TEST(Reproduce, DecidesAClaimThatTakesNoTrees) {
       << served.err;
 }
 
+TEST(Reproduce, DrawsWhatAClaimDrawsFromLaws) {
+  const Scratch scratch;
+  const Ran ran = ramify("reproduce --claim C10.1 --out " + (scratch / "out").string());
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  EXPECT_NE(read_file(scratch / "out/plots/C10_split_order.gp").find("log_(1/X) n + 1"), std::string::npos);
+}
+
 TEST(Run, ProvenanceSaysHowTheTableWasMade) {
   const Scratch scratch;
   const std::string folder = run_into(scratch, quick_config, "one", "--threads 2");

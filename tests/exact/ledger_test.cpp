@@ -68,5 +68,57 @@ TEST(LedgerWithoutTrees, EveryPartIsJudgedByTheLawsAndItsRivalsAreRefused) {
   expect_committed(judged.verdicts);
 }
 
+std::size_t finite_points(const PlotSeries& series) {
+  std::size_t finite = 0;
+  for (const auto* points : {&series.points, &series.curve, &series.guide})
+    for (const PlotPoint& point : *points) finite += std::isfinite(point.x) && std::isfinite(point.y) ? 1 : 0;
+  return finite;
+}
+
+std::vector<NamedPlot> law_plots() {
+  GrowthLimits limits;
+  std::vector<NamedPlot> all;
+  for (const Claim* claim : claims())
+    if (claim->law_plots)
+      for (auto& named : claim->law_plots({limits, {}})) {
+        EXPECT_TRUE(named.stem.starts_with(std::string(claim->id) + "_")) << named.stem;
+        all.push_back(std::move(named));
+      }
+  return all;
+}
+
+/// The last y of a series' points, or of its curve, at an x.
+double last_of(const std::vector<NamedPlot>& plots, std::string_view stem, std::string_view label) {
+  for (const auto& named : plots)
+    if (named.stem == stem)
+      for (const auto& series : named.plot.series)
+        if (series.label.starts_with(label))
+          return (series.points.empty() ? series.curve : series.points).back().y;
+  ADD_FAILURE() << stem << ": no " << label;
+  return 0;
+}
+
+TEST(LawPlots, ShowWhatTheirClaimsSay) {
+  if (test::sanitized) GTEST_SKIP() << "laws to 10^12 take a minute";
+  const auto plots = law_plots();
+  std::set<std::string> stems;
+  for (const auto& [stem, plot] : plots) {
+    EXPECT_TRUE(stems.insert(stem).second) << stem;
+    EXPECT_FALSE(plot.title.empty() || plot.y_label.empty()) << stem;
+    EXPECT_GE(plot.series.size(), 2u) << stem;
+    for (const auto& series : plot.series)
+      EXPECT_GE(finite_points(series), 2u) << stem << ' ' << series.label;
+  }
+  EXPECT_EQ(stems,
+            (std::set<std::string>{"C9_ratios", "C10_split_order", "C11_split_ratios", "C12_node_ratios",
+                                   "C14_balance_residual", "C16_trie_fill", "C22_order_fluctuation",
+                                   "C23_stream_ratios", "C24_lung", "C24_ratio_map", "H2_recipe"}));
+  EXPECT_NEAR(last_of(plots, "C9_ratios", "nodes of catalan"), 2, 1e-3);
+  EXPECT_NEAR(last_of(plots, "C23_stream_ratios", "bst"), 3.0438, 1e-3);
+  EXPECT_NEAR(last_of(plots, "C24_lung", "catalan"), 4, 1e-3);
+  EXPECT_NEAR(last_of(plots, "C16_trie_fill", "p = 0.23"), 1 / std::log(1 / 0.23), 0.01);
+  EXPECT_NEAR(last_of(plots, "C24_ratio_map", "a = 20"), 2.9, 0.5);
+}
+
 }  // namespace
 }  // namespace ramify

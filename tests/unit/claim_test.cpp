@@ -28,6 +28,10 @@ TEST(Claims, AreFoundByNumberAndRefusedOtherwise) {
   EXPECT_EQ(find_claims("C6 C7").size(), 2u);
   EXPECT_TRUE(find_claims("").empty());
   EXPECT_THROW(find_claims("C6 C99"), Error);
+  EXPECT_EQ(find_claims("c20"), find_claims("C20"));
+  EXPECT_EQ(find_claims("c20.2"), find_claims("C20"));
+  EXPECT_EQ(test::error_of([] { find_claims("C20.4"); }),
+            "claim C20.4 (the parts of C20 end with C20.3): see: ramify list claims");
 }
 
 TEST(Claims, EveryOneThatTakesTreesHasAConfigWithWhatItNeedsAtBothScales) {
