@@ -96,7 +96,7 @@ std::vector<ExactMean> exact_means() {
       {"patricia_10_order", "patricia(1/4.35)", 10, order, 2.104855, dst, 40000},
       {"patricia_579_order", "patricia(1/4.35)", 579, order, 5.029477, dst},
       {"patricia_579_order_n_strings", "patricia(1/4.35)", 579, order, 5.029477, short_patricia},
-      {"patricia_2000_order", "patricia(1/4.35)", 2000, order, 6.004520, dst},
+      {"patricia_2000_order", "patricia(1/4.35)", 2000, order, 6.004520, dst, 9000},
       {"dst_10_order", "dst(1/4.35)", 10, order, 2.179458, patricia, 40000},
       {"dst_579_order", "dst(1/4.35)", 579, order, 5.088462, patricia},
       {"dst_579_order_thesis", "dst(1/4.35)", 579, order, 5.088462, thesis_binomial},
@@ -140,7 +140,7 @@ void expect_stream_means(const std::string& model, Size n, std::uint64_t trees,
 }
 
 TEST(ExactCounts, OfStreamsOfDsts) {
-  expect_stream_means("dst(1/4.35)", 579, 30000, {580, 201.2269, 64.4826, 18.7627, 5.1268, 1.0895, 0.0885});
+  expect_stream_means("dst(1/4.35)", 579, 80000, {580, 201.2269, 64.4826, 18.7627, 5.1268, 1.0895, 0.0885});
 }
 
 TEST(ExactCounts, OfStreamsOfBsts) {

@@ -36,7 +36,7 @@ TEST_P(SumOverNodes, HasItsExactMeanAndTellsANearModelApart) {
   const double exact = ExactMeans(Model::parse("aldous(0)"), index_n).moments(column, index_n)->mean;
   EXPECT_TRUE(test::agrees(test::z_test(column.name(), sampled_index(column, "bst"), exact)));
   EXPECT_TRUE(
-      test::rejected(test::z_test(column.name() + ", slip", sampled_index(column, "aldous(-0.3)"), exact)));
+      test::rejected(test::z_test(column.name() + ", slip", sampled_index(column, "aldous(-0.4)"), exact)));
 }
 
 std::vector<const StatisticInfo*> sums_over_nodes() {

@@ -65,7 +65,7 @@ TEST(OrderCounts, WhatIsNewHasTheMomentsOfSideBranches) {
     SampleMean mean, wrong_mean;
     for (const auto& streams : grown) {
       mean.add(fresh(streams, k, a, c));
-      wrong_mean.add(fresh(streams, k, a, 1.2 * c));
+      wrong_mean.add(fresh(streams, k, a, 1.3 * c));
     }
     EXPECT_TRUE(agrees(z_test(fmt::format("new at order {}", k), mean, 0)));
     if (k < 4) {

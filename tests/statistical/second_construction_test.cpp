@@ -19,7 +19,7 @@ namespace ramify {
 namespace {
 
 constexpr std::size_t built_size = 50;
-constexpr std::uint64_t built_trees = 40000;
+constexpr std::uint64_t built_trees = 70000;
 
 using Builder = std::function<test::LinkedTree(std::size_t n, Stream&)>;
 

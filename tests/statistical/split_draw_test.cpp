@@ -1,3 +1,5 @@
+#include <iostream>
+
 #include "support/goodness.hpp"
 #include "support/growing.hpp"
 #include "support/model_cases.hpp"
@@ -9,6 +11,7 @@ namespace ramify {
 namespace {
 
 constexpr std::uint64_t split_draws = 400000;
+constexpr Size largest_with_every_slip = 300;
 constexpr double coarse = static_cast<double>(split_draws) / 64;  // cells that see a shift of the whole law
 
 class SplitDraw : public ::testing::TestWithParam<test::ModelCase> {
@@ -22,7 +25,16 @@ class SplitDraw : public ::testing::TestWithParam<test::ModelCase> {
     EXPECT_TRUE(test::agrees(test::chi_square(what + ", fine", counts, law)));
     EXPECT_TRUE(test::agrees(test::chi_square(what + ", coarse", counts, law, coarse)));
     for (const auto& [slip, wrong] : model.wrong)
-      EXPECT_TRUE(test::rejected(test::chi_square(what + ": " + slip, counts, wrong(n), coarse)));
+      expect_rejected(test::chi_square(what + ": " + slip, counts, wrong(n), coarse, law), n);
+  }
+
+  /// Some slips are right as n grows (PATRICIA splits for binomial ones): they are told apart at smaller
+  /// sizes.
+  static void expect_rejected(const test::Goodness& slip, Size n) {
+    if (n > largest_with_every_slip && test::least_power(slip) < test::needed_power)
+      std::cout << "  undecided " << slip.what << ": too few draws\n";
+    else
+      EXPECT_TRUE(test::rejected(slip));
   }
 };
 

@@ -10,6 +10,7 @@
 
 #include "support/sanitized.hpp"
 #include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/gamma.hpp>
 #include <boost/math/distributions/normal.hpp>
 
 namespace ramify::test {
@@ -31,24 +32,82 @@ double chi_square_tail(double statistic, double degrees) {
 struct Cell {
   double observed = 0;
   double expected = 0;
+  double truth = 0;
+
+  void join(const Cell& other) {
+    observed += other.observed;
+    expected += other.expected;
+    truth += other.truth;
+  }
 };
 
 /// Neighbours together until each expects `least`; what is left over at the end joins the last cell.
-std::vector<Cell> pool(std::span<const std::uint64_t> observed, std::span<const double> expected,
-                       double least) {
+std::vector<Cell> pool(const std::vector<Cell>& fine, double least) {
   std::vector<Cell> cells;
   Cell open;
-  for (std::size_t i = 0; i < observed.size(); ++i) {
-    open.observed += static_cast<double>(observed[i]);
-    open.expected += expected[i];
+  for (const Cell& cell : fine) {
+    open.join(cell);
     if (open.expected < least) continue;
     cells.push_back(open);
     open = Cell();
   }
   if (cells.empty()) return {open};
-  cells.back().observed += open.observed;
-  cells.back().expected += open.expected;
+  cells.back().join(open);
   return cells;
+}
+
+/// What a law expects of so many draws in all.
+std::vector<double> scaled_to(double total, std::span<const double> law) {
+  const double sum = std::accumulate(law.begin(), law.end(), 0.0);
+  std::vector<double> expected;
+  for (const double p : law) expected.push_back(total * p / sum);
+  return expected;
+}
+
+const boost::math::normal standard_normal;
+constexpr double doubt = 0.001;  ///< that a power is less than one sample leaves it
+
+double beyond_doubt() {
+  return boost::math::quantile(boost::math::complement(standard_normal, doubt));
+}
+
+/// Mean and deviation of Pearson's statistic where the cells have other probabilities q than the p that are
+/// claimed, by the delta method to second order; of q = p k-1 and sqrt(2(k-1)).
+struct StatisticLaw {
+  double mean, deviation;
+};
+StatisticLaw law_of_statistic(const std::vector<Cell>& cells, double Cell::* counts, double total) {
+  double mean = 0, slope = 0, slope_square = 0, own = 0, shared = 0;
+  for (const Cell& cell : cells) {
+    const double p = cell.expected / total, q = cell.*counts / total, off = (q - p) / p;
+    mean += q * (1 - q) / p + total * (q - p) * off;
+    slope += q * off;
+    slope_square += q * off * off;
+    own += q * q * (1 - 2 * q) / (p * p);
+    shared += q * q / p;
+  }
+  const double variance = 4 * total * (slope_square - slope * slope) + 2 * (own + shared * shared);
+  return {mean, std::sqrt(std::fmax(variance, 0))};
+}
+
+double chi_square_power(const Goodness& goodness) {
+  const double critical =
+      boost::math::quantile(boost::math::complement(boost::math::chi_squared(goodness.degrees), alpha));
+  const double mean = goodness.expected.value_or(goodness.statistic - beyond_doubt() * goodness.deviation);
+  return boost::math::cdf(standard_normal, (mean - critical) / goodness.deviation);
+}
+
+double normal_power(double p_value) {
+  if (p_value == 0) return 1;
+  const double seen = boost::math::quantile(boost::math::complement(standard_normal, p_value / 2));
+  const double critical = boost::math::quantile(boost::math::complement(standard_normal, alpha / 2));
+  return boost::math::cdf(standard_normal, seen - beyond_doubt() - critical);
+}
+
+/// One impossible draw is enough.
+double power_of_impossible(std::uint64_t draws) {
+  return -std::expm1(
+      -boost::math::quantile(boost::math::gamma_distribution<>(static_cast<double>(draws)), doubt));
 }
 
 }  // namespace
@@ -59,28 +118,49 @@ std::vector<Cell> pool(std::span<const std::uint64_t> observed, std::span<const 
   return ::testing::AssertionFailure() << to_text(goodness) << " < " << alpha;
 }
 
+double least_power(const Goodness& goodness) {
+  if (goodness.impossible > 0) return power_of_impossible(goodness.impossible);
+  if (goodness.degrees == 0) return normal_power(goodness.p_value);
+  return chi_square_power(goodness);
+}
+
 ::testing::AssertionResult rejected(const Goodness& goodness) {
-  std::cout << (sanitized ? "  undecided " : "  rejected  ") << to_text(goodness) << '\n';
-  if (sanitized || goodness.p_value < alpha) return ::testing::AssertionSuccess();
-  return ::testing::AssertionFailure() << to_text(goodness) << ": the wrong law passed";
+  const double power = least_power(goodness);
+  std::cout << (sanitized ? "  undecided " : "  rejected  ") << to_text(goodness) << ", power " << power
+            << '\n';
+  if (sanitized) return ::testing::AssertionSuccess();
+  if (goodness.p_value >= alpha)
+    return ::testing::AssertionFailure() << to_text(goodness) << ": the wrong law passed";
+  if (power < needed_power)
+    return ::testing::AssertionFailure()
+           << to_text(goodness) << ": rejected, but with a power of " << power << " only: take more draws";
+  return ::testing::AssertionSuccess();
 }
 
 Goodness chi_square(const std::string& what, std::span<const std::uint64_t> observed,
-                    std::span<const double> probabilities, double least) {
+                    std::span<const double> probabilities, double least, std::span<const double> truth) {
   if (observed.size() != probabilities.size()) throw std::invalid_argument("one probability for each count");
+  const bool knows_truth = truth.size() == observed.size();
   const double total = std::accumulate(observed.begin(), observed.end(), 0.0);
-  const double sum = std::accumulate(probabilities.begin(), probabilities.end(), 0.0);
-  std::vector<double> expected;
-  for (const double p : probabilities) expected.push_back(total * p / sum);
-  for (std::size_t i = 0; i < observed.size(); ++i)
-    if (observed[i] > 0 && probabilities[i] == 0)
-      return {what + " (an impossible outcome)", std::numeric_limits<double>::infinity(), 0, 0};
-  const auto cells = pool(observed, expected, least);
+  const auto expected = scaled_to(total, probabilities);
+  const auto true_counts = knows_truth ? scaled_to(total, truth) : expected;
+  std::uint64_t impossible = 0;
+  std::vector<Cell> fine;
+  for (std::size_t i = 0; i < observed.size(); ++i) {
+    if (probabilities[i] == 0) impossible += observed[i];
+    fine.push_back({static_cast<double>(observed[i]), expected[i], true_counts[i]});
+  }
+  if (impossible > 0)
+    return {what + " (impossible outcomes)", static_cast<double>(impossible), 0, 0, impossible};
+  const auto cells = pool(fine, least);
   double statistic = 0;
   for (const Cell& cell : cells)
     statistic += (cell.observed - cell.expected) * (cell.observed - cell.expected) / cell.expected;
   const double degrees = static_cast<double>(cells.size() - 1);
-  return {what, statistic, degrees, chi_square_tail(statistic, degrees)};
+  const auto law = law_of_statistic(cells, knows_truth ? &Cell::truth : &Cell::observed, total);
+  Goodness goodness{what, statistic, degrees, chi_square_tail(statistic, degrees), 0, law.deviation};
+  if (knows_truth) goodness.expected = law.mean;
+  return goodness;
 }
 
 Goodness two_samples(const std::string& what, const Tally& a, const Tally& b) {
@@ -110,7 +190,9 @@ Goodness two_samples(const std::string& what, const Tally& a, const Tally& b) {
     statistic += difference * difference / (x + y);
   }
   const double degrees = static_cast<double>(cells.size() - 1);
-  return {what, statistic, degrees, chi_square_tail(statistic, degrees)};
+  // Of a noncentral chi-square law with this mean.
+  const double deviation = std::sqrt(2 * std::fmax(2 * statistic - degrees, degrees));
+  return {what, statistic, degrees, chi_square_tail(statistic, degrees), 0, deviation};
 }
 
 void SampleMean::add(double value) {

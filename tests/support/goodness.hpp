@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -20,18 +21,35 @@ struct Goodness {
   double statistic;
   double degrees;  ///< of freedom; 0 for a z-test
   double p_value;
+  // NOLINTBEGIN(readability-redundant-member-init): -Wextra wants them where an aggregate leaves them out
+  std::uint64_t impossible = 0;  ///< draws that the law excludes
+  double deviation = 0;          ///< of a chi-square statistic, by the law of the draws or by the draws
+  std::optional<double> expected = {};  ///< its mean, where the law of the draws is known
+  // NOLINTEND(readability-redundant-member-init)
 };
 
 /// Passes where p >= alpha. Prints statistic, degrees of freedom and p either way.
 ::testing::AssertionResult agrees(const Goodness& goodness);
 
-/// Passes where p < alpha: the negative control. Decides nothing under a sanitizer (sanitized.hpp).
+/// How likely a negative control rejects at alpha, whatever the seed. Of a chi-square by the normal law with
+/// the statistic's mean and deviation, on the safe side, for it is skewed to the right; where the law of the
+/// draws is not known, by the least mean that the sample leaves at 99.9 %. Of a z-test likewise; of
+/// impossible draws, which come as of a Poisson law, by their least mean.
+double least_power(const Goodness& goodness);
+
+/// Of every negative control.
+inline constexpr double needed_power = 0.999;
+
+/// Passes where p < alpha and the power is the needed one: the negative control. Decides nothing under a
+/// sanitizer (sanitized.hpp).
 ::testing::AssertionResult rejected(const Goodness& goodness);
 
 /// Pearson's chi-square of counts against probabilities (scaled to sum 1). Neighbouring cells are pooled
 /// until each expects `least` at least; a count in a cell of probability 0 gives p = 0.
+/// @param truth  of a negative control: the probabilities that the counts have in fact, for its power
 Goodness chi_square(const std::string& what, std::span<const std::uint64_t> observed,
-                    std::span<const double> probabilities, double least = 5);
+                    std::span<const double> probabilities, double least = 5,
+                    std::span<const double> truth = {});
 
 /// Counts of the outcomes 0..m-1, and of pairs (order, height) and the like.
 using Tally = std::map<std::pair<std::uint64_t, std::uint64_t>, std::uint64_t>;

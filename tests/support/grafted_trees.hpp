@@ -65,10 +65,14 @@ inline std::vector<std::uint64_t> counts_of(const Tally& tally, std::size_t valu
 }
 
 /// Counts of a tally against P(0), P(1), ...
-inline Goodness chi_square_from_0(const std::string& what, const Tally& tally, std::vector<double> pmf) {
-  const auto counts = counts_of(tally, pmf.size());
+/// @param truth  of a negative control: the law that the tally has in fact
+inline Goodness chi_square_from_0(const std::string& what, const Tally& tally, std::vector<double> pmf,
+                                  std::vector<double> truth = {}) {
+  const auto counts = counts_of(tally, std::max(pmf.size(), truth.size()));
   pmf.resize(counts.size(), 0.0);
-  return chi_square(what, counts, pmf);
+  if (!truth.empty()) truth.resize(counts.size(), 0.0);
+  constexpr double least = 5;
+  return chi_square(what, counts, pmf, least, truth);
 }
 
 }  // namespace ramify::test

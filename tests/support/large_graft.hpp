@@ -83,13 +83,13 @@ inline void expect_the_large_law(const LargeGraft& graft) {
 
   const auto factor = size_told_apart(graft, pmf, largest_factor);
   ASSERT_TRUE(factor.has_value()) << what << ": these trees tell no size apart";
-  EXPECT_TRUE(
-      rejected(chi_square_from_0(fmt::format("{}, of {} n", what, *factor), tally, pmf(*factor * n))));
+  EXPECT_TRUE(rejected(
+      chi_square_from_0(fmt::format("{}, of {} n", what, *factor), tally, pmf(*factor * n), pmf(n))));
 
   const std::vector<double> neighbour = LargePmf(graft.neighbour, *single, n)(n);
   const std::string of_neighbour = fmt::format("{}, of {}", what, graft.neighbour);
   if (is_told_apart(graft.trees, pmf(n), neighbour))
-    EXPECT_TRUE(rejected(chi_square_from_0(of_neighbour, tally, neighbour)));
+    EXPECT_TRUE(rejected(chi_square_from_0(of_neighbour, tally, neighbour, pmf(n))));
   else
     std::cout << "  undecided " << of_neighbour << ": too few trees\n";
 }
