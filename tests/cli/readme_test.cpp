@@ -1,5 +1,6 @@
 // Every command of the program that README.md and docs/ show is run, as it stands.
 #include <algorithm>
+#include <regex>
 
 #include "program.hpp"
 #include <gtest/gtest.h>
@@ -122,6 +123,21 @@ TEST(Pages, TheStatisticsOfSmallTreesAreThoseMeasured) {
           << name << ", n = " << n;
   }
   EXPECT_EQ(statistics + 1, count_lines(ramify("list statistics").out));
+}
+
+TEST(Pages, TheSourcesTheyNameAreThere) {
+  const std::filesystem::path project(RAMIFY_SOURCE);
+  const std::regex path(R"((tests|src|experiments|configs)/[A-Za-z0-9_/]+\.(cpp|hpp|toml))");
+  std::size_t named = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(project / "docs")) {
+    const bool is_recipe =
+        entry.path().filename().string().starts_with("add-a-");  // of files that are to be made
+    if (entry.path().extension() != ".md" || is_recipe) continue;
+    const std::string text = read_file(entry.path());
+    for (std::sregex_iterator match(text.begin(), text.end(), path), end; match != end; ++match, ++named)
+      EXPECT_TRUE(std::filesystem::exists(project / match->str())) << entry.path() << ": " << match->str();
+  }
+  EXPECT_GE(named, 20u);
 }
 
 TEST(Readme, TheScriptsItNamesAreThere) {
