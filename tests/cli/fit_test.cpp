@@ -130,7 +130,7 @@ TEST(FitOfTrees, ATreeTooSmallForTokunagaNamesTheSmallest) {
 TEST(FitOfTrees, ATableOfTheOrdersThatMeetSaysAsMuchAsTheTree) {
   const Scratch scratch;
   const std::string table =
-      scratch.file("sapling.csv", read_file(RAMIFY_SOURCE "/data/examples/sapling_orders_that_meet.csv"));
+      scratch.file("sapling.csv", read_file(RAMIFY_SOURCE "/data/sapling_orders_that_meet.csv"));
   const std::string bootstrap = " --format csv --bootstrap 40 ";
   const Ran tree = ramify("fit data/examples/sapling.newick --model tokunaga,ramification" + bootstrap);
   const Ran counted = ramify("fit " + table + bootstrap);
