@@ -20,25 +20,9 @@ int decimals_of(const Interval& interval) {
   return std::clamp(1 - static_cast<int>(std::floor(std::log10(width))), fewest, most);
 }
 
-/// "[0.8983, 0.8985]"
-std::string interval_text(const Basis& basis) {
-  const int decimals = decimals_of(basis.interval);
-  return fmt::format("[{:.{}f}, {:.{}f}]", basis.interval.lower, decimals, basis.interval.upper, decimals);
-}
-
-std::string sampler_text(const SamplerCheck& check) {
-  if (check.means == 0) return std::string(check.word());
-  return fmt::format("{}: {} means, {:.1f} s.e.", check.word(), check.means, check.worst_z);
-}
-
 /// n, whole as far as it is printed whole.
 Row& add_size(Row& row, double n) {
   return n < 0x1p53 && n == std::floor(n) ? row.whole(static_cast<std::uint64_t>(n)) : row.significant(n, 3);
-}
-
-/// "limit, extrapolated"
-std::string rests_on(const Basis& basis) {
-  return fmt::format("{}, {}", to_string(basis.evidence), to_string(basis.standing));
 }
 
 }  // namespace
@@ -53,6 +37,23 @@ std::string_view to_string(Relation relation) {
       break;
   }
   return "equals";
+}
+
+std::string interval_text(const Basis& basis) {
+  const int decimals = decimals_of(basis.interval);
+  return fmt::format("[{:.{}f}, {:.{}f}]", basis.interval.lower, decimals, basis.interval.upper, decimals);
+}
+
+std::string theory_text(const Finding& finding) {
+  const auto& [statement, basis] = finding;
+  const std::string relation =
+      statement.relation == Relation::equals ? "" : fmt::format("{} ", to_string(statement.relation));
+  return fmt::format("{}{:.{}f}", relation, statement.theory, decimals_of(basis.interval));
+}
+
+std::string sampler_text(const SamplerCheck& check) {
+  if (check.means == 0) return std::string(check.word());
+  return fmt::format("{}: {} means, {:.1f} s.e.", check.word(), check.means, check.worst_z);
 }
 
 std::string in_words(const std::vector<NamedValue>& values) {
@@ -96,14 +97,12 @@ std::string verdict_text(const std::vector<Verdict>& verdicts) {
   Table table({"claim", "statement", "theory", "true value lies in", "rests on", "sampler", "verdict"});
   for (const auto& [finding, decision, sampler] : verdicts) {
     const auto& [statement, basis] = finding;
-    const std::string relation =
-        statement.relation == Relation::equals ? "" : fmt::format("{} ", to_string(statement.relation));
     table.add(Row()
                   .text(statement.part)
                   .text(statement.text)
-                  .text(fmt::format("{}{:.{}f}", relation, statement.theory, decimals_of(basis.interval)))
+                  .text(theory_text(finding))
                   .text(interval_text(basis))
-                  .text(rests_on(basis))
+                  .text(fmt::format("{}, {}", to_string(basis.evidence), to_string(basis.standing)))
                   .text(sampler_text(sampler))
                   .text(to_string(decision)));
   }

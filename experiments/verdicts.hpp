@@ -15,6 +15,15 @@ std::string_view to_string(Relation relation);
 /// "1/log 2, the ratio of nodes (1.442695041); ..."
 std::string in_words(const std::vector<NamedValue>& values);
 
+/// "[0.8983, 0.8985]", with as many decimals as tell the ends apart.
+std::string interval_text(const Basis& basis);
+
+/// "at most 0.9102", with as many decimals as the interval.
+std::string theory_text(const Finding& finding);
+
+/// "ok: 11 means, 2.2 s.e."
+std::string sampler_text(const SamplerCheck& check);
+
 /// verdicts.csv of a reproduction.
 Table verdict_table(const std::vector<Verdict>& verdicts);
 

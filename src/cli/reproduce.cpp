@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "judged_run.hpp"
+#include "ledger_files.hpp"
 #include "run_flags.hpp"
 #include "served_configs.hpp"
 #include "session.hpp"
@@ -9,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "ramify/io/atomic_file.hpp"
+#include "ramify/page/shell_word.hpp"
 
 namespace ramify::cli {
 namespace {
@@ -59,6 +61,22 @@ ExitCode compare_with_reference(const ReproduceArguments& options, const std::ve
   return changed.empty() ? ExitCode::done : ExitCode::check_failed;
 }
 
+/// What the command was beside --scale and --claim, as far as it decides a number.
+std::string deciding_options(const ReproduceArguments& options) {
+  std::string text;
+  if (!options.configs.empty()) text += " --configs " + shell_word(options.configs);
+  if (!options.flags.seed.empty()) text += " --seed " + shell_word(options.flags.seed);
+  return text;
+}
+
+/// The last line names the page.
+void say_where(const fs::path& out) {
+  fmt::print(stderr,
+             "verdicts: {0}/verdicts.csv, claim by claim {0}/claims\nplots:    {0}/plots\n"
+             "tables:   {0}/<config>/summary.csv\nreport:   {0}/report.html\n",
+             out.string());
+}
+
 ExitCode reproduce(const ReproduceArguments& options, const Cancellation& cancellation) {
   const auto configs = configs_of(options);
   if (options.flags.dry_run) {
@@ -70,14 +88,21 @@ ExitCode reproduce(const ReproduceArguments& options, const Cancellation& cancel
   require_writable_folder(out / "plots");  // where the verdicts and their plots go in the end
   GrowthLimits limits;
   const Ledger ledger = run_configs(configs, options.flags, limits, cancellation);
-  const auto judged = judge_claims(ledger, asked_for(options), options.flags, limits, cancellation);
-  write_verdicts(judged.verdicts, ledger, out);
+  const Reproduction reproduction{
+      options.scale,
+      options.claim,
+      deciding_options(options),
+      configs,
+      asked_for(options),
+      judge_claims(ledger, asked_for(options), options.flags, limits, cancellation)};
+  warn_of_pictures(write_ledger(reproduction, ledger, out));
   write_law_plots(asked_for(options), limits, read_threads(options.flags.threads), cancellation, out);
+  const auto& judged = reproduction.judged;
   emit(verdict_text(judged.verdicts));
-  fmt::print(stderr, "verdicts: {0}/verdicts.csv\nplots:    {0}/plots\ntables:   {0}/<config>/summary.csv\n",
-             out.string());
-  return std::max(
-      {report_checks(ledger), delivered(judged), compare_with_reference(options, judged.verdicts)});
+  const ExitCode code =
+      std::max({report_checks(ledger), delivered(judged), compare_with_reference(options, judged.verdicts)});
+  say_where(out);
+  return code;
 }
 
 }  // namespace
