@@ -82,7 +82,10 @@ PageSection claim_section(const ClaimOnPage& of, const std::string& command) {
                       {},
                       id,
                       id};
-  section.blocks.emplace_back(verdicts_on_page(of.verdicts, fmt::format("The parts of {}", id)));
+  if (of.verdicts.empty())
+    section.blocks.emplace_back(PageParagraph{"None of its parts could be judged."});
+  else
+    section.blocks.emplace_back(verdicts_on_page(of.verdicts, fmt::format("The parts of {}", id)));
   for (const FiledPlot& plot : of.plots) section.blocks.push_back(figure_of(plot));
   for (const Verdict& verdict : of.verdicts) section.parts.push_back(part_section(verdict));
   section.parts.push_back(controls_section(of.verdicts));

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <utility>
 
+#include "verdicts.hpp"
 #include <fmt/format.h>
 
 #include "ramify/core/version.hpp"
@@ -99,11 +100,6 @@ PageSection sources_section(const Reproduction& reproduction) {
   for (const RunConfig& config : reproduction.configs)
     section.blocks.emplace_back(PageVerbatim{file_name(config), config.text});
   return section;
-}
-
-/// The number of the claim that a part, or a plot, is of: "C20" of "C20.2" and of "C20_bst_order".
-std::string_view claim_of(std::string_view name) {
-  return name.substr(0, name.find_first_of("._"));
 }
 
 }  // namespace

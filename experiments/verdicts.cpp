@@ -39,6 +39,10 @@ std::string_view to_string(Relation relation) {
   return "equals";
 }
 
+std::string_view claim_of(std::string_view name) {
+  return name.substr(0, name.find_first_of("._"));
+}
+
 std::string interval_text(const Basis& basis) {
   const int decimals = decimals_of(basis.interval);
   return fmt::format("[{:.{}f}, {:.{}f}]", basis.interval.lower, decimals, basis.interval.upper, decimals);
@@ -113,11 +117,11 @@ namespace {
 
 /// A verdict of a committed table.
 struct Committed {
-  std::string claim, statement, decision;
+  std::string part, statement, decision;
 
   bool is_of(const Verdict& verdict) const {
     const Statement& now = verdict.finding.statement;
-    return claim == now.part && statement == now.text;
+    return part == now.part && statement == now.text;
   }
 };
 
@@ -133,21 +137,20 @@ std::vector<Committed> read_committed(const std::filesystem::path& reference) {
 }  // namespace
 
 std::vector<std::string> changed_verdicts(const std::vector<Verdict>& verdicts,
-                                          const std::filesystem::path& reference, Compared compared) {
-  const auto committed = read_committed(reference);
+                                          const std::filesystem::path& reference,
+                                          const std::vector<std::string_view>& claims) {
+  auto committed = read_committed(reference);
+  std::erase_if(committed, [&](const Committed& old) {
+    return !claims.empty() && std::ranges::find(claims, claim_of(old.part)) == claims.end();
+  });
   std::vector<std::string> changed;
   for (const auto& old : committed) {
     const auto now = std::ranges::find_if(verdicts, [&](const Verdict& v) { return old.is_of(v); });
-    if (now == verdicts.end()) {
-      if (compared == Compared::all)
-        changed.push_back(
-            fmt::format("{}: no verdict on '{}', was {}", old.claim, old.statement, old.decision));
-    } else if (to_string(now->decision) != old.decision) {
-      changed.push_back(
-          fmt::format("{}: {}, was {}", now->finding.statement.part, to_string(now->decision), old.decision));
-    }
+    if (now == verdicts.end())
+      changed.push_back(fmt::format("{}: no verdict on '{}', was {}", old.part, old.statement, old.decision));
+    else if (to_string(now->decision) != old.decision)
+      changed.push_back(fmt::format("{}: {}, was {}", old.part, to_string(now->decision), old.decision));
   }
-  if (compared == Compared::those_in_both) return changed;
   for (const auto& v : verdicts)
     if (std::ranges::none_of(committed, [&](const Committed& old) { return old.is_of(v); }))
       changed.push_back(fmt::format("{}: {} on '{}', was not there", v.finding.statement.part,

@@ -55,8 +55,9 @@ ExitCode compare_with_reference(const ReproduceArguments& options, const std::ve
   const fs::path reference =
       config_folder(options) / "../../results/reference" / options.scale / "verdicts.csv";
   if (!options.flags.seed.empty() || !fs::exists(reference)) return ExitCode::done;
-  const auto changed =
-      changed_verdicts(verdicts, reference, options.claim.empty() ? Compared::all : Compared::those_in_both);
+  std::vector<std::string_view> narrowed_to;
+  for (const Claim* claim : find_claims(options.claim)) narrowed_to.push_back(claim->id);
+  const auto changed = changed_verdicts(verdicts, reference, narrowed_to);
   for (const auto& line : changed) fmt::print(stderr, "ramify: a committed verdict changed: {}\n", line);
   return changed.empty() ? ExitCode::done : ExitCode::check_failed;
 }

@@ -17,7 +17,7 @@ std::string colours(const PagePalette& palette) {
 // Pictures are drawn on white and stay so.
 constexpr const char* rules = R"(*{box-sizing:border-box}
 body{margin:0;background:var(--back);color:var(--text);font:1rem/1.55 system-ui,sans-serif}
-header,nav,main,footer{max-width:64rem;margin:0 auto;padding:0 1.25rem}
+header,nav,main,footer{max-width:80rem;margin:0 auto;padding:0 1.25rem}
 header{padding-top:1.5rem}
 h1{font-size:1.7rem;line-height:1.2;margin:0 0 .5rem;overflow-wrap:anywhere}
 h2{font-size:1.3rem;margin:2.2rem 0 .6rem;padding-top:.9rem;border-top:1px solid var(--rule);overflow-wrap:anywhere}
@@ -50,6 +50,7 @@ footer{margin-top:2.5rem;padding-top:.8rem;padding-bottom:2rem;border-top:1px so
 fieldset{border:1px solid var(--rule);border-radius:4px;margin:0;padding:.1rem .8rem .4rem;min-width:0}
 legend{color:var(--muted);padding:0 .3rem}
 label{display:inline-block;margin-right:1rem;white-space:nowrap}
+@media (max-width:40rem){th,td{padding:.28rem .45rem}.long{min-width:12rem}}
 )";
 
 }  // namespace

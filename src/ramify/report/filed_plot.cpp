@@ -44,8 +44,10 @@ std::string plot_words(const Plot& plot) {
   std::vector<std::string> series;
   for (const PlotSeries& one : plot.series)
     if (std::string words = series_words(one); !words.empty()) series.push_back(std::move(words));
-  return fmt::format("Plot of {}{} against {}{}. {}.", plot.y_label, plot.log_y ? ", logarithmic" : "",
-                     plot.x_label, plot.log_x ? ", logarithmic" : "", fmt::join(series, "; "));
+  return fmt::format("Plot of {}{} against {}{}{}. {}.", plot.y_label, plot.log_y ? ", logarithmic" : "",
+                     plot.x_label, plot.log_x ? ", logarithmic" : "",
+                     plot.subtitle.empty() ? "" : fmt::format(" ({})", plot.subtitle),
+                     fmt::join(series, "; "));
 }
 
 std::string svg_in(const std::filesystem::path& path) {
@@ -88,8 +90,7 @@ PageBlock figure_of(const FiledPlot& filed) {
   const auto& [stem, plot] = filed.named;
   if (const std::string why = why_not_drawn(filed.files); !why.empty())
     return PageParagraph{fmt::format("Picture missing ({}): {}.", plot.title, why)};
-  return PagePicture{svg_in(filed.files.svg), plot_words(plot),
-                     plot.subtitle.empty() ? plot.title : fmt::format("{} ({})", plot.title, plot.subtitle)};
+  return PagePicture{svg_in(filed.files.svg), plot_words(plot), plot.title};
 }
 
 Table points_table(const std::vector<FiledPlot>& plots) {

@@ -23,8 +23,8 @@ std::vector<FiledPlot> file_plots(std::vector<NamedPlot> plots, const std::files
 /// is.
 std::string why_missing(const std::vector<FiledPlot>& plots);
 
-/// The plot as a page shows it: its SVG with title and subtitle below, and with axes, series and their ranges
-/// as the alternative text; where it was not drawn, a paragraph that names it as missing, and why.
+/// The plot as a page shows it: its SVG with the title below, and with axes, subtitle, series and their
+/// ranges as the alternative text; where it was not drawn, a paragraph that names it as missing, and why.
 PageBlock figure_of(const FiledPlot& plot);
 
 /// What the plots show, as numbers: a row for every place of every series, "point" (with the half length of
