@@ -55,16 +55,15 @@ PageSection reading_section() {
            "interval that holds its true value. It is reproduced where the interval contains the "
            "theory (of a bound: keeps it) and excludes every rival that the statement names, refuted "
            "where it excludes the theory (breaks the bound), inconclusive else."},
-       PageList{
-           {"evidence exact: laws or enumeration at finite n",
-            "evidence limit: exact laws at growing n, taken to the limit with a bound",
-            "evidence sampled: trees; fitted: parameters of a model; measured: trees of nature; published: "
-            "printed numbers of a source",
-            "standing proved: nothing is left to believe but the error bounds of the computation",
-            "standing extrapolated: numbers of a few digits, and that they go on as they did",
-            "standing seen: what was seen, and no more",
-            "sampler: whether the program that draws trees obeys the exact law, another question than "
-            "whether the statement is true; - where it takes no trees"}}},
+       PageList{{"evidence exact: laws or enumeration at finite n",
+                 "evidence limit: exact laws at growing n, taken to the limit with a bound",
+                 "evidence sampled: trees", "evidence fitted: the parameters of a model",
+                 "evidence measured: trees of nature", "evidence published: printed numbers of a source",
+                 "standing proved: nothing is left to believe but the error bounds of the computation",
+                 "standing extrapolated: numbers of a few digits, and that they go on as they did",
+                 "standing seen: what was seen, and no more",
+                 "sampler: whether the program that draws trees obeys the exact law, another question than "
+                 "whether the statement is true; - where it takes no trees"}}},
       {},
       "reading",
       "How to read it"};

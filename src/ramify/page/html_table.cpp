@@ -104,7 +104,7 @@ std::string HtmlTable::head() const {
 }
 
 std::string HtmlTable::field(std::size_t row, std::size_t column) const {
-  const std::string text = html_text(field_text(row, column));
+  std::string text = html_text(field_text(row, column));
   if (column == 0 && !table_.links.empty() && !table_.links[row].empty())
     return fmt::format("<a href=\"#{}\">{}</a>", html_text(table_.links[row]), text);
   if (!table_.badges.tones.empty() && table_.table.columns()[column] == table_.badges.column)

@@ -25,7 +25,7 @@ std::string why_missing(const std::vector<FiledPlot>& plots);
 
 /// The plot as a page shows it: its SVG with the title below, and with axes, subtitle, series and their
 /// ranges as the alternative text; where it was not drawn, a paragraph that names it as missing, and why.
-PageBlock figure_of(const FiledPlot& plot);
+PageBlock figure_of(const FiledPlot& filed);
 
 /// What the plots show, as numbers: a row for every place of every series, "point" (with the half length of
 /// its error bar), "curve" or "guide", with as many digits as read back the same.
