@@ -38,8 +38,8 @@ class HtmlTable {
   std::vector<Filter> filters_;
 };
 
-/// The start of a box that scrolls by itself where it is too wide, and that the keyboard reaches: a div, which
-/// is still to be closed.
+/// The start of a box that scrolls by itself where it is too wide, and that the keyboard reaches: a div,
+/// which is still to be closed.
 std::string wide_box(std::string_view label);
 
 }  // namespace ramify::detail
