@@ -2,7 +2,6 @@
 
 #include "verdicts.hpp"
 
-#include "ramify/core/parallel.hpp"
 #include "ramify/io/atomic_file.hpp"
 #include "ramify/io/csv_writer.hpp"
 #include "ramify/report/filed_plot.hpp"
@@ -21,16 +20,6 @@ RunOutcome run_and_judge(const RunConfig& config, const RunOptions& options, con
   if (outcome.no_pictures.empty())
     outcome.no_pictures = why_missing(file_plots(own.plots(), outcome.folder / "plots"));
   return outcome;
-}
-
-void write_law_plots(const std::vector<const Claim*>& claims, GrowthLimits& limits, unsigned threads,
-                     const Cancellation& cancellation, const std::filesystem::path& folder) {
-  std::vector<std::vector<NamedPlot>> drawn(claims.size());
-  parallel_for(claims.size(), threads, [&](std::size_t i, unsigned) {
-    if (claims[i]->law_plots) drawn[i] = claims[i]->law_plots({limits, cancellation});
-  });
-  for (const auto& of_claim : drawn)
-    for (const auto& [stem, plot] : of_claim) write_plot(plot, folder / "plots", stem);
 }
 
 }  // namespace ramify

@@ -1,11 +1,15 @@
 #include "ledger_files.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "verdicts.hpp"
 #include <fmt/format.h>
 
+#include "ramify/core/parallel.hpp"
 #include "ramify/io/atomic_file.hpp"
 #include "ramify/io/csv_writer.hpp"
 #include "ramify/page/html_writer.hpp"
@@ -32,17 +36,29 @@ void write_claim(const ClaimOnPage& of, const fs::path& folder) {
 
 }  // namespace
 
-std::string write_ledger(const Reproduction& reproduction, const Ledger& ledger, const fs::path& folder) {
+std::vector<NamedPlot> law_plots(const std::vector<const Claim*>& claims, GrowthLimits& limits,
+                                 unsigned threads, const Cancellation& cancellation) {
+  std::vector<std::vector<NamedPlot>> drawn(claims.size());
+  parallel_for(claims.size(), threads, [&](std::size_t i, unsigned) {
+    if (claims[i]->law_plots) drawn[i] = claims[i]->law_plots({limits, cancellation});
+  });
+  std::vector<NamedPlot> plots;
+  for (auto& of_claim : drawn) std::ranges::move(of_claim, std::back_inserter(plots));
+  return plots;
+}
+
+std::string write_ledger(const Reproduction& reproduction, std::vector<NamedPlot> plots,
+                         const fs::path& folder) {
   require_writable_folder(folder / "plots");
   clear_claims(folder / "claims");
   const auto& verdicts = reproduction.judged.verdicts;
   write_file_atomically(folder / "verdicts.csv", write_csv(verdict_table(verdicts)));
   write_file_atomically(folder / "verdicts.txt", verdict_text(verdicts));
-  const std::vector<FiledPlot> plots = file_plots(ledger.plots(), folder / "plots");
-  const std::vector<ClaimOnPage> claims = claims_on_page(reproduction, plots);
+  const std::vector<FiledPlot> filed = file_plots(std::move(plots), folder / "plots");
+  const std::vector<ClaimOnPage> claims = claims_on_page(reproduction, filed);
   for (const ClaimOnPage& of : claims) write_claim(of, folder / "claims");
   write_file_atomically(folder / "report.html", write_html(ledger_page(reproduction, claims)));
-  return why_missing(plots);
+  return why_missing(filed);
 }
 
 }  // namespace ramify

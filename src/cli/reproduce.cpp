@@ -1,6 +1,7 @@
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
-#include "judged_run.hpp"
 #include "ledger_files.hpp"
 #include "run_flags.hpp"
 #include "served_configs.hpp"
@@ -96,8 +97,10 @@ ExitCode reproduce(const ReproduceArguments& options, const Cancellation& cancel
       configs,
       asked_for(options),
       judge_claims(ledger, asked_for(options), options.flags, limits, cancellation)};
-  warn_of_pictures(write_ledger(reproduction, ledger, out));
-  write_law_plots(asked_for(options), limits, read_threads(options.flags.threads), cancellation, out);
+  std::vector<NamedPlot> plots = ledger.plots();
+  std::ranges::move(law_plots(asked_for(options), limits, read_threads(options.flags.threads), cancellation),
+                    std::back_inserter(plots));
+  warn_of_pictures(write_ledger(reproduction, std::move(plots), out));
   const auto& judged = reproduction.judged;
   emit(verdict_text(judged.verdicts));
   const ExitCode code =

@@ -30,18 +30,19 @@ a{color:var(--link)}
 :focus-visible{outline:2px solid var(--link);outline-offset:2px}
 table{border-collapse:collapse;font-variant-numeric:tabular-nums}
 caption{text-align:left;color:var(--muted);padding:.2rem 0}
-th,td{padding:.28rem .8rem;border-bottom:1px solid var(--rule);text-align:left;vertical-align:top}
+th,td{padding:.28rem .6rem;border-bottom:1px solid var(--rule);text-align:left;vertical-align:top}
 th{background:var(--soft);font-weight:600}
 .number{text-align:right;white-space:nowrap}
 .long{min-width:17rem}
+.long:last-child{min-width:24rem}
 .short{white-space:nowrap}
 .badge{display:inline-block;border:1px solid;border-radius:1rem;padding:0 .55rem;font-weight:600;font-size:.88rem}
 .good{color:var(--good)}
 .bad{color:var(--bad)}
 .open{color:var(--open)}
-figure{margin:1rem 0}
+figure{margin:1rem 0;max-width:62rem}
 figure .wide{background:#fff;border:1px solid var(--rule);border-radius:4px;margin:0}
-svg{display:block;width:100%;min-width:34rem;max-width:62rem;height:auto}
+svg{display:block;width:100%;min-width:34rem;height:auto}
 figcaption,footer{color:var(--muted)}
 pre{width:max-content;min-width:100%;margin:0;background:var(--soft);border-radius:4px;padding:.6rem .9rem;font-size:.9rem}
 footer{margin-top:2.5rem;padding-top:.8rem;padding-bottom:2rem;border-top:1px solid var(--rule)}
@@ -50,7 +51,7 @@ footer{margin-top:2.5rem;padding-top:.8rem;padding-bottom:2rem;border-top:1px so
 fieldset{border:1px solid var(--rule);border-radius:4px;margin:0;padding:.1rem .8rem .4rem;min-width:0}
 legend{color:var(--muted);padding:0 .3rem}
 label{display:inline-block;margin-right:1rem;white-space:nowrap}
-@media (max-width:40rem){th,td{padding:.28rem .45rem}.long{min-width:12rem}}
+@media (max-width:40rem){th,td{padding:.28rem .45rem}.long:not(:last-child){min-width:12rem}}
 )";
 
 }  // namespace
