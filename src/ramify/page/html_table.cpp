@@ -21,7 +21,7 @@ std::size_t place_of(const Table& table, const std::string& column) {
 /// Numbers stand at the right; sentences have room; a few words stay in one line.
 std::string kind_of(const Table& table, std::size_t column) {
   if (table.holds_numbers(column)) return " class=\"number\"";
-  constexpr std::size_t sentence = 36, words = 22;
+  constexpr std::size_t sentence = 36, words = 16;
   std::size_t longest = 0;
   for (std::size_t r = 0; r < table.rows(); ++r)
     longest = std::max(longest, to_text(table.row(r)[column]).size());
