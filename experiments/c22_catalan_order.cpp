@@ -16,14 +16,14 @@
 namespace ramify {
 namespace {
 
-constexpr const char* counted = "order of the root, leaf order 0";
+constexpr const char* uniform_order = "order of the root, leaf order 0";
 constexpr double largest_catalan = 1e12;
 
 Statement mean_growth(const Model& catalan) {
   return {"C22.1",
           "E S_n ~ log_4 n, catalan",
           "K96 B.1.2",
-          counted,
+          uniform_order,
           Relation::equals,
           "1/log 4",
           strahler_constant(catalan).value().value,
@@ -38,7 +38,7 @@ Statement bounded_variance() {
   return {"C22.2",
           "Var S_n = O(1), catalan: slope of the variance on log n is 0",
           "K96 B.1.2",
-          counted,
+          uniform_order,
           Relation::equals,
           "0",
           0,

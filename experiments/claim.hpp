@@ -18,12 +18,6 @@
 
 namespace ramify {
 
-/// A plot of a claim and the name of its files.
-struct NamedPlot {
-  std::string stem;
-  Plot plot;
-};
-
 /// The finished cells of one model, smallest n first, and what its plots need.
 struct ModelCells {
   Model model;

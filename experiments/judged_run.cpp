@@ -2,19 +2,11 @@
 
 #include "verdicts.hpp"
 
-#include "ramify/core/parallel.hpp"
 #include "ramify/io/atomic_file.hpp"
 #include "ramify/io/csv_writer.hpp"
+#include "ramify/report/filed_plot.hpp"
 
 namespace ramify {
-namespace {
-
-void write_plots(const Ledger& ledger, const std::filesystem::path& folder) {
-  for (const auto& named : ledger.plots()) write_plot(named.plot, folder, named.stem);
-}
-
-}  // namespace
-
 RunOutcome run_and_judge(const RunConfig& config, const RunOptions& options, const Cancellation& cancellation,
                          Ledger& ledger, GrowthLimits& limits) {
   RunOutcome outcome = run_experiment(config, options, cancellation);
@@ -25,26 +17,9 @@ RunOutcome run_and_judge(const RunConfig& config, const RunOptions& options, con
   if (own.served().empty()) return outcome;
   const auto judged = own.judged(own.served(), limits, options.threads, cancellation);
   write_file_atomically(outcome.folder / "verdicts.csv", write_csv(verdict_table(judged.verdicts)));
-  write_plots(own, outcome.folder / "plots");
+  if (outcome.no_pictures.empty())
+    outcome.no_pictures = why_missing(file_plots(own.plots(), outcome.folder / "plots"));
   return outcome;
-}
-
-void write_verdicts(const std::vector<Verdict>& verdicts, const Ledger& ledger,
-                    const std::filesystem::path& folder) {
-  require_writable_folder(folder / "plots");
-  write_file_atomically(folder / "verdicts.csv", write_csv(verdict_table(verdicts)));
-  write_plots(ledger, folder / "plots");
-  write_file_atomically(folder / "verdicts.txt", verdict_text(verdicts));
-}
-
-void write_law_plots(const std::vector<const Claim*>& claims, GrowthLimits& limits, unsigned threads,
-                     const Cancellation& cancellation, const std::filesystem::path& folder) {
-  std::vector<std::vector<NamedPlot>> drawn(claims.size());
-  parallel_for(claims.size(), threads, [&](std::size_t i, unsigned) {
-    if (claims[i]->law_plots) drawn[i] = claims[i]->law_plots({limits, cancellation});
-  });
-  for (const auto& of_claim : drawn)
-    for (const auto& [stem, plot] : of_claim) write_plot(plot, folder / "plots", stem);
 }
 
 }  // namespace ramify

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <filesystem>
-
 #include "ledger.hpp"
 
 #include "ramify/core/cancellation.hpp"
@@ -14,14 +12,5 @@ namespace ramify {
 /// Interrupted where it is stopped while claims are judged.
 RunOutcome run_and_judge(const RunConfig& config, const RunOptions& options, const Cancellation& cancellation,
                          Ledger& ledger, GrowthLimits& limits);
-
-/// Writes verdicts.csv, verdicts.txt and the claims' plots, plots/*, into a folder.
-void write_verdicts(const std::vector<Verdict>& verdicts, const Ledger& ledger,
-                    const std::filesystem::path& folder);
-
-/// Writes what the claims draw from laws alone to plots/ of a folder. Throws Interrupted. Cost: half a minute
-/// for all of them, shared by the threads.
-void write_law_plots(const std::vector<const Claim*>& claims, GrowthLimits& limits, unsigned threads,
-                     const Cancellation& cancellation, const std::filesystem::path& folder);
 
 }  // namespace ramify

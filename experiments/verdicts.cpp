@@ -20,25 +20,9 @@ int decimals_of(const Interval& interval) {
   return std::clamp(1 - static_cast<int>(std::floor(std::log10(width))), fewest, most);
 }
 
-/// "[0.8983, 0.8985]"
-std::string interval_text(const Basis& basis) {
-  const int decimals = decimals_of(basis.interval);
-  return fmt::format("[{:.{}f}, {:.{}f}]", basis.interval.lower, decimals, basis.interval.upper, decimals);
-}
-
-std::string sampler_text(const SamplerCheck& check) {
-  if (check.means == 0) return std::string(check.word());
-  return fmt::format("{}: {} means, {:.1f} s.e.", check.word(), check.means, check.worst_z);
-}
-
 /// n, whole as far as it is printed whole.
 Row& add_size(Row& row, double n) {
   return n < 0x1p53 && n == std::floor(n) ? row.whole(static_cast<std::uint64_t>(n)) : row.significant(n, 3);
-}
-
-/// "limit, extrapolated"
-std::string rests_on(const Basis& basis) {
-  return fmt::format("{}, {}", to_string(basis.evidence), to_string(basis.standing));
 }
 
 }  // namespace
@@ -53,6 +37,27 @@ std::string_view to_string(Relation relation) {
       break;
   }
   return "equals";
+}
+
+std::string_view claim_of(std::string_view name) {
+  return name.substr(0, name.find_first_of("._"));
+}
+
+std::string interval_text(const Basis& basis) {
+  const int decimals = decimals_of(basis.interval);
+  return fmt::format("[{:.{}f}, {:.{}f}]", basis.interval.lower, decimals, basis.interval.upper, decimals);
+}
+
+std::string theory_text(const Finding& finding) {
+  const auto& [statement, basis] = finding;
+  const std::string relation =
+      statement.relation == Relation::equals ? "" : fmt::format("{} ", to_string(statement.relation));
+  return fmt::format("{}{:.{}f}", relation, statement.theory, decimals_of(basis.interval));
+}
+
+std::string sampler_text(const SamplerCheck& check) {
+  if (check.means == 0) return std::string(check.word());
+  return fmt::format("{}: {} means, {:.1f} s.e.", check.word(), check.means, check.worst_z);
 }
 
 std::string in_words(const std::vector<NamedValue>& values) {
@@ -96,14 +101,12 @@ std::string verdict_text(const std::vector<Verdict>& verdicts) {
   Table table({"claim", "statement", "theory", "true value lies in", "rests on", "sampler", "verdict"});
   for (const auto& [finding, decision, sampler] : verdicts) {
     const auto& [statement, basis] = finding;
-    const std::string relation =
-        statement.relation == Relation::equals ? "" : fmt::format("{} ", to_string(statement.relation));
     table.add(Row()
                   .text(statement.part)
                   .text(statement.text)
-                  .text(fmt::format("{}{:.{}f}", relation, statement.theory, decimals_of(basis.interval)))
+                  .text(theory_text(finding))
                   .text(interval_text(basis))
-                  .text(rests_on(basis))
+                  .text(fmt::format("{}, {}", to_string(basis.evidence), to_string(basis.standing)))
                   .text(sampler_text(sampler))
                   .text(to_string(decision)));
   }
@@ -114,11 +117,11 @@ namespace {
 
 /// A verdict of a committed table.
 struct Committed {
-  std::string claim, statement, decision;
+  std::string part, statement, decision;
 
   bool is_of(const Verdict& verdict) const {
     const Statement& now = verdict.finding.statement;
-    return claim == now.part && statement == now.text;
+    return part == now.part && statement == now.text;
   }
 };
 
@@ -134,21 +137,20 @@ std::vector<Committed> read_committed(const std::filesystem::path& reference) {
 }  // namespace
 
 std::vector<std::string> changed_verdicts(const std::vector<Verdict>& verdicts,
-                                          const std::filesystem::path& reference, Compared compared) {
-  const auto committed = read_committed(reference);
+                                          const std::filesystem::path& reference,
+                                          const std::vector<std::string_view>& claims) {
+  auto committed = read_committed(reference);
+  std::erase_if(committed, [&](const Committed& old) {
+    return !claims.empty() && std::ranges::find(claims, claim_of(old.part)) == claims.end();
+  });
   std::vector<std::string> changed;
   for (const auto& old : committed) {
     const auto now = std::ranges::find_if(verdicts, [&](const Verdict& v) { return old.is_of(v); });
-    if (now == verdicts.end()) {
-      if (compared == Compared::all)
-        changed.push_back(
-            fmt::format("{}: no verdict on '{}', was {}", old.claim, old.statement, old.decision));
-    } else if (to_string(now->decision) != old.decision) {
-      changed.push_back(
-          fmt::format("{}: {}, was {}", now->finding.statement.part, to_string(now->decision), old.decision));
-    }
+    if (now == verdicts.end())
+      changed.push_back(fmt::format("{}: no verdict on '{}', was {}", old.part, old.statement, old.decision));
+    else if (to_string(now->decision) != old.decision)
+      changed.push_back(fmt::format("{}: {}, was {}", old.part, to_string(now->decision), old.decision));
   }
-  if (compared == Compared::those_in_both) return changed;
   for (const auto& v : verdicts)
     if (std::ranges::none_of(committed, [&](const Committed& old) { return old.is_of(v); }))
       changed.push_back(fmt::format("{}: {} on '{}', was not there", v.finding.statement.part,

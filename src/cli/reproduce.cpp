@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
-#include "judged_run.hpp"
+#include "ledger_files.hpp"
 #include "run_flags.hpp"
 #include "served_configs.hpp"
 #include "session.hpp"
@@ -9,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "ramify/io/atomic_file.hpp"
+#include "ramify/page/shell_word.hpp"
 
 namespace ramify::cli {
 namespace {
@@ -53,10 +56,27 @@ ExitCode compare_with_reference(const ReproduceArguments& options, const std::ve
   const fs::path reference =
       config_folder(options) / "../../results/reference" / options.scale / "verdicts.csv";
   if (!options.flags.seed.empty() || !fs::exists(reference)) return ExitCode::done;
-  const auto changed =
-      changed_verdicts(verdicts, reference, options.claim.empty() ? Compared::all : Compared::those_in_both);
+  std::vector<std::string_view> narrowed_to;
+  for (const Claim* claim : find_claims(options.claim)) narrowed_to.push_back(claim->id);
+  const auto changed = changed_verdicts(verdicts, reference, narrowed_to);
   for (const auto& line : changed) fmt::print(stderr, "ramify: a committed verdict changed: {}\n", line);
   return changed.empty() ? ExitCode::done : ExitCode::check_failed;
+}
+
+/// What the command was beside --scale and --claim, as far as it decides a number.
+std::string deciding_options(const ReproduceArguments& options) {
+  std::string text;
+  if (!options.configs.empty()) text += " --configs " + shell_word(options.configs);
+  if (!options.flags.seed.empty()) text += " --seed " + shell_word(options.flags.seed);
+  return text;
+}
+
+/// The last line names the page.
+void say_where(const fs::path& out) {
+  fmt::print(stderr,
+             "verdicts: {0}/verdicts.csv, claim by claim {0}/claims\nplots:    {0}/plots\n"
+             "tables:   {0}/<config>/summary.csv\nreport:   {0}/report.html\n",
+             out.string());
 }
 
 ExitCode reproduce(const ReproduceArguments& options, const Cancellation& cancellation) {
@@ -70,14 +90,23 @@ ExitCode reproduce(const ReproduceArguments& options, const Cancellation& cancel
   require_writable_folder(out / "plots");  // where the verdicts and their plots go in the end
   GrowthLimits limits;
   const Ledger ledger = run_configs(configs, options.flags, limits, cancellation);
-  const auto judged = judge_claims(ledger, asked_for(options), options.flags, limits, cancellation);
-  write_verdicts(judged.verdicts, ledger, out);
-  write_law_plots(asked_for(options), limits, read_threads(options.flags.threads), cancellation, out);
+  const Reproduction reproduction{
+      options.scale,
+      options.claim,
+      deciding_options(options),
+      configs,
+      asked_for(options),
+      judge_claims(ledger, asked_for(options), options.flags, limits, cancellation)};
+  std::vector<NamedPlot> plots = ledger.plots();
+  std::ranges::move(law_plots(asked_for(options), limits, read_threads(options.flags.threads), cancellation),
+                    std::back_inserter(plots));
+  warn_of_pictures(write_ledger(reproduction, std::move(plots), out));
+  const auto& judged = reproduction.judged;
   emit(verdict_text(judged.verdicts));
-  fmt::print(stderr, "verdicts: {0}/verdicts.csv\nplots:    {0}/plots\ntables:   {0}/<config>/summary.csv\n",
-             out.string());
-  return std::max(
-      {report_checks(ledger), delivered(judged), compare_with_reference(options, judged.verdicts)});
+  const ExitCode code =
+      std::max({report_checks(ledger), delivered(judged), compare_with_reference(options, judged.verdicts)});
+  say_where(out);
+  return code;
 }
 
 }  // namespace

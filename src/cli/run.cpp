@@ -27,9 +27,11 @@ ExitCode run(const RunArguments& options, const Cancellation& cancellation) {
   const Ledger ledger = run_configs(configs, options.flags, limits, cancellation);
   const auto judged = judge_claims(ledger, ledger.served(), options.flags, limits, cancellation);
   if (!judged.verdicts.empty()) emit(verdict_text(judged.verdicts));
+  const ExitCode code = std::max(report_checks(ledger), delivered(judged));
   for (const auto& config : configs)
-    fmt::print(stderr, "tables and plots: {}\n", options.flags.folder_of(config).string());
-  return std::max(report_checks(ledger), delivered(judged));
+    fmt::print(stderr, "tables and plots: {0}\nreport:           {0}/report.html\n",
+               options.flags.folder_of(config).string());
+  return code;
 }
 
 }  // namespace
@@ -37,7 +39,7 @@ ExitCode run(const RunArguments& options, const Cancellation& cancellation) {
 void add_run(Program& program) {
   auto options = std::make_shared<RunArguments>();
   options->flags.out = "results/runs";
-  Verb verb = program.verb("run", "Run configs: grow, measure, compare, write tables and plots");
+  Verb verb = program.verb("run", "Run configs: grow, measure, compare, write tables, plots and a page");
   verb.option("config", options->configs, "TOML files (docs/config.md)", Need::required);
   options->flags.add_to(verb);
   verb.example("Example: ramify run configs/quick/catalan_order.toml --out results/runs");

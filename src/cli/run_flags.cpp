@@ -1,5 +1,7 @@
 #include "run_flags.hpp"
 
+#include <set>
+
 #include "judged_run.hpp"
 #include "session.hpp"
 #include <fmt/format.h>
@@ -22,6 +24,7 @@ void run_config(const RunConfig& config, const RunFlags& flags, const ModelLooks
                            looks};
   const RunOutcome outcome = run_and_judge(config, options, cancellation, ledger, limits);
   clear_progress_line();
+  warn_of_pictures(outcome.no_pictures);
   if (outcome.finished) return;
   fmt::print(stderr,
              "ramify: {} of the cells are complete; they, and blocks of others, are kept in {}; continue "
@@ -65,6 +68,13 @@ void require_runnable(const std::vector<RunConfig>& configs, const RunFlags& fla
   require_consent(total_nodes(configs), flags.yes);
   require_run_memory(configs, read_threads(flags.threads));
   for (const auto& config : configs) require_run_folder(flags.folder_of(config), flags.kept_cells());
+}
+
+void warn_of_pictures(const std::string& why) {
+  static std::set<std::string> said;
+  if (why.empty() || !said.insert(why).second) return;
+  clear_progress_line();
+  fmt::print(stderr, "ramify: warning: pictures are missing: {}; tables and reports are there\n", why);
 }
 
 Ledger run_configs(const std::vector<RunConfig>& configs, const RunFlags& flags, GrowthLimits& limits,

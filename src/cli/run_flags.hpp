@@ -43,6 +43,9 @@ void require_runnable(const std::vector<RunConfig>& configs, const RunFlags& fla
 Ledger run_configs(const std::vector<RunConfig>& configs, const RunFlags& flags, GrowthLimits& limits,
                    const Cancellation& cancellation);
 
+/// Says on standard error why pictures are missing, each reason once in a process; nothing where none is.
+void warn_of_pictures(const std::string& why);
+
 /// The verdicts on the claims. What could not be judged is said on standard error, part by part.
 Ledger::Judged judge_claims(const Ledger& ledger, const std::vector<const Claim*>& claims,
                             const RunFlags& flags, GrowthLimits& limits, const Cancellation& cancellation);

@@ -45,6 +45,8 @@ void expect_same_on_any_threads(const std::string& line);
 
 std::string read_file(const std::filesystem::path& path);
 
+bool holds(const std::string& text, const std::string& part);
+
 /// Lines of a text.
 std::size_t count_lines(const std::string& text);
 

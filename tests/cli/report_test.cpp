@@ -8,10 +8,6 @@
 namespace ramify::test {
 namespace {
 
-bool holds(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 /// The commands that a page in Markdown shows.
 std::vector<std::string> commands_on(const std::string& page) {
   std::vector<std::string> found;

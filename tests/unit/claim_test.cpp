@@ -223,20 +223,21 @@ class CommittedVerdicts {
 TEST(Verdicts, AChangeAgainstTheCommittedTableIsSeen) {
   const CommittedVerdicts committed;
   auto verdicts = some_verdicts();
-  EXPECT_TRUE(changed_verdicts(verdicts, committed.file, Compared::all).empty());
+  EXPECT_TRUE(changed_verdicts(verdicts, committed.file, {}).empty());
   verdicts.front().decision = Decision::inconclusive;
-  EXPECT_EQ(changed_verdicts(verdicts, committed.file, Compared::all),
+  EXPECT_EQ(changed_verdicts(verdicts, committed.file, {}),
             std::vector<std::string>{"C20.1: inconclusive, was reproduced"});
 }
 
-TEST(Verdicts, OneThatIsMissingOrNewIsSeenUnlessTheRunWasNarrowed) {
+TEST(Verdicts, OneThatIsMissingOrNewIsSeenUnlessTheRunWasNarrowedToOtherClaims) {
   const CommittedVerdicts committed;
   auto verdicts = some_verdicts();
   verdicts.front().finding.statement.part = "C20.4";
-  EXPECT_EQ(changed_verdicts(verdicts, committed.file, Compared::all),
+  EXPECT_EQ(changed_verdicts(verdicts, committed.file, {}),
             (std::vector<std::string>{"C20.1: no verdict on 'a sentence', was reproduced",
                                       "C20.4: reproduced on 'a sentence', was not there"}));
-  EXPECT_TRUE(changed_verdicts(verdicts, committed.file, Compared::those_in_both).empty());
+  EXPECT_EQ(changed_verdicts(verdicts, committed.file, {"C3", "C20"}).size(), 2u);
+  EXPECT_TRUE(changed_verdicts({}, committed.file, {"C3", "C2"}).empty());
 }
 
 TEST(Verdicts, AnOpenOneSaysWhatWouldDecideIt) {

@@ -8,6 +8,7 @@
 
 #include "ramify/dossier/commands.hpp"
 #include "ramify/dossier/plain_words.hpp"
+#include "ramify/page/shell_word.hpp"
 #include "ramify/statistic/registry.hpp"
 
 namespace ramify {

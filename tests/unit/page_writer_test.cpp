@@ -89,7 +89,7 @@ TEST(HtmlPage, EveryLinkResolvesAndNoIdComesTwice) {
 
 TEST(HtmlPage, EscapesWhatIsMarkup) {
   const std::string html = write_html(small_page());
-  EXPECT_NE(html.find("<td>a &lt; b | c</td>"), std::string::npos);
+  EXPECT_NE(html.find("<td class=\"short\">a &lt; b | c</td>"), std::string::npos);
   EXPECT_NE(html.find("ramify x 'a&lt;b'"), std::string::npos);
   EXPECT_NE(html.find("role=\"img\" aria-label=\"one &quot;picture&quot;\""), std::string::npos);
   EXPECT_EQ(html_text("\x01<&>\""), "\ufffd&lt;&amp;&gt;&quot;");
@@ -98,9 +98,73 @@ TEST(HtmlPage, EscapesWhatIsMarkup) {
 TEST(HtmlPage, TablesHaveCaptionsAndScopesAndNumbersStandAtTheRight) {
   const std::string html = write_html(small_page());
   EXPECT_NE(html.find("<caption>Caption</caption>"), std::string::npos);
-  EXPECT_NE(html.find("<th scope=\"col\" class=\"number\">order</th><th scope=\"col\">what</th>"),
-            std::string::npos);
+  EXPECT_NE(
+      html.find("<th scope=\"col\" class=\"number\">order</th><th scope=\"col\" class=\"short\">what</th>"),
+      std::string::npos);
   EXPECT_NE(html.find("<td class=\"number\">1</td>"), std::string::npos);
+}
+
+/// A table of three rows with a filter, links and badges, before the sections that it leads to.
+Page filtered_page() {
+  Table table({"part", "verdict"});
+  table.add(Row().text("P1").text("yes"));
+  table.add(Row().text("P2").text("no"));
+  table.add(Row().text("P3").text("yes"));
+  PageTable filtered{"Caption", table};
+  filtered.links = {"P1", "", "P3"};
+  filtered.badges = {"verdict", {PageTone::good, PageTone::bad, PageTone::good}};
+  filtered.filters = {"verdict"};
+  return {"t",
+          {},
+          {{"Table", {filtered}, {}},
+           {"First of all", {PageVerbatim{"a config", "a = 1 < 2\n"}}, {}, "P1", "First"},
+           {"Third", {}, {}, "P3"}},
+          {}};
+}
+
+TEST(HtmlPage, FiltersAreRadioButtonsAndRulesOfTheStyleSheet) {
+  const std::string html = write_html(filtered_page());
+  EXPECT_NE(
+      html.find("<fieldset>\n<legend>verdict</legend>\n"
+                "<label><input type=\"radio\" name=\"table1-0\" class=\"f0v0\" checked> all (3)</label>\n"
+                "<label><input type=\"radio\" name=\"table1-0\" class=\"f0v1\"> yes (2)</label>\n"
+                "<label><input type=\"radio\" name=\"table1-0\" class=\"f0v2\"> no (1)</label>\n"),
+      std::string::npos)
+      << html;
+  EXPECT_EQ(matches(html, "<tr class=\"([^\"]*)\"><td"), (std::vector<std::string>{"f0v1", "f0v2", "f0v1"}));
+  for (const char* value : {"f0v1", "f0v2"})
+    EXPECT_EQ(count(html, std::string(".filtered:has(input.") + value + ":checked) tbody tr:not(." + value +
+                              "){display:none}\n"),
+              1u);
+  EXPECT_EQ(count(html, "f0v3"), 0u);
+  EXPECT_EQ(write_html(small_page()).find("tbody tr:not"), std::string::npos);
+}
+
+TEST(HtmlPage, FirstFieldsAreLinksAndVerdictsBadges) {
+  const std::string html = write_html(filtered_page());
+  EXPECT_NE(html.find("<td class=\"short\"><a href=\"#P1\">P1</a></td>"
+                      "<td class=\"short\"><span class=\"badge good\">yes</span></td>"),
+            std::string::npos);
+  EXPECT_NE(
+      html.find("<td class=\"short\">P2</td><td class=\"short\"><span class=\"badge bad\">no</span></td>"),
+      std::string::npos);
+}
+
+TEST(HtmlPage, SectionsAreFoundByTheirAnchors) {
+  const std::string html = write_html(filtered_page());
+  EXPECT_NE(html.find("<section aria-labelledby=\"P1\">\n<h2 id=\"P1\">First of all</h2>"),
+            std::string::npos);
+  EXPECT_NE(html.find("<li><a href=\"#section1\">Table</a></li>\n<li><a href=\"#P1\">First</a></li>\n"
+                      "<li><a href=\"#P3\">Third</a></li>"),
+            std::string::npos);
+  EXPECT_NE(html.find("aria-label=\"a config\">\n<pre><code>a = 1 &lt; 2\n</code></pre>"), std::string::npos);
+}
+
+TEST(MarkdownPage, HasTheWordsOfFilteredTablesAndVerbatimTexts) {
+  EXPECT_EQ(write_markdown(filtered_page()),
+            "# t\n\n## Table\n\nCaption\n\n| part | verdict |\n| --- | --- |\n| P1 | yes |\n| P2 | no |\n| "
+            "P3 | yes |\n"
+            "\n## First of all\n\na config:\n\n    a = 1 < 2\n    \n\n## Third\n");
 }
 
 TEST(InlineSvg, LosesPrologNamespacesAndTitlesAndGetsIdsOfItsOwn) {
@@ -131,7 +195,8 @@ TEST(PagePalette, WhatIsReadHasAContrastOfFourAndAHalf) {
   EXPECT_NEAR(contrast("#777777", "#ffffff"), 4.478, 1e-3);  // published as just too pale
   for (const PagePalette& palette : {light_palette, dark_palette})
     for (const auto back : {palette.back, palette.soft})
-      for (const auto text : {palette.text, palette.muted, palette.link})
+      for (const auto text :
+           {palette.text, palette.muted, palette.link, palette.good, palette.bad, palette.open})
         EXPECT_GE(contrast(text, back), 4.5) << text << " on " << back;
   for (const auto text : {light_palette.text, dark_palette.text})
     EXPECT_NE(write_html({"t", {}, {}, {}}).find(text), std::string::npos);

@@ -34,13 +34,13 @@ CheckedRun heights(double small, double large) {
           {{"bst", statistic::height, {{100, {14, 4}}, {1000, {23, 5}}, {10000, {32, 6}}}}}};
 }
 
-const Plot* find_plot(const std::vector<std::pair<std::string, Plot>>& plots, const std::string& stem) {
+const Plot* find_plot(const std::vector<NamedPlot>& plots, const std::string& stem) {
   for (const auto& [name, plot] : plots)
     if (name == stem) return &plot;
   return nullptr;
 }
 
-std::vector<std::pair<std::string, Plot>> plots_of(const CheckedRun& run, const ModelLooks& first = {}) {
+std::vector<NamedPlot> plots_of(const CheckedRun& run, const ModelLooks& first = {}) {
   const RunConfig config = config_of("\"bst\", \"catalan\"", "\"height\"");
   ModelLooks looks = first;
   looks.add(config);

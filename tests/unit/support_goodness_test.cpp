@@ -9,6 +9,7 @@
 #include "support/seed.hpp"
 #include <gtest/gtest.h>
 
+#include "ramify/random/stream.hpp"
 #include "ramify/random/uniform.hpp"
 
 namespace ramify {

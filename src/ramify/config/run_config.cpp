@@ -115,6 +115,10 @@ class GroupReader {
 
 }  // namespace
 
+std::string file_name(const RunConfig& config) {
+  return std::filesystem::path(config.path).filename().string();
+}
+
 RunConfig parse_run_config(std::string_view text, std::string_view name) {
   const toml::table document = detail::parse_toml(text, name);
   const TomlTable keys(name, document);

@@ -35,6 +35,9 @@ struct RunConfig {
   std::vector<SizeGroup> groups;
 };
 
+/// The name of its file without the folder: what a page calls it, the same wherever it lies.
+std::string file_name(const RunConfig& config);
+
 /// Throws Error "file:line:column: problem (why): what to do" for anything that docs/config.md does not
 /// allow.
 RunConfig read_run_config(const std::filesystem::path& path);

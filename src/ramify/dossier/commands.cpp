@@ -1,10 +1,9 @@
 #include "ramify/dossier/commands.hpp"
 
-#include <algorithm>
-#include <cctype>
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include "ramify/page/shell_word.hpp"
 
 namespace ramify {
 namespace {
@@ -25,17 +24,6 @@ std::string reading_options(const Subject& subject, const ReportRequest& request
 }
 
 }  // namespace
-
-std::string shell_word(std::string_view text) {
-  const auto is_plain = [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
-           std::string_view("._/-,+:=@%").find(c) != std::string_view::npos;
-  };
-  if (!text.empty() && std::ranges::all_of(text, is_plain)) return std::string(text);
-  std::string quoted = "'";
-  for (const char c : text) quoted += c == '\'' ? "'\\''" : std::string(1, c);
-  return quoted + "'";
-}
 
 std::string draw_command(const Subject& subject, const ReportRequest& request) {
   const std::string which = subject.of > 1 ? fmt::format(" --which {}", subject.place) : "";

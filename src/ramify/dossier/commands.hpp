@@ -10,9 +10,6 @@ namespace ramify {
 
 // The commands that repeat a report's numbers, for a shell.
 
-/// A word as a POSIX shell reads it: in single quotes where it needs them.
-std::string shell_word(std::string_view text);
-
 /// ramify draw: the picture of the tree.
 std::string draw_command(const Subject& subject, const ReportRequest& request);
 /// ramify measure with these options: orders, summary, Horton diagram.

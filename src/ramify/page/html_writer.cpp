@@ -1,70 +1,28 @@
 #include "ramify/page/html_writer.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "ramify/core/contract.hpp"
+#include "ramify/page/html_style.hpp"
+#include "ramify/page/html_table.hpp"
 #include "ramify/page/inline_svg.hpp"
-#include "ramify/page/palette.hpp"
 
 namespace ramify {
 namespace {
 
-std::string colours(const PagePalette& palette) {
-  return fmt::format("--text:{};--muted:{};--link:{};--back:{};--soft:{};--rule:{}", palette.text,
-                     palette.muted, palette.link, palette.back, palette.soft, palette.rule);
-}
-
-std::string style() {
-  return fmt::format(":root{{color-scheme:light dark;{}}}\n", colours(light_palette)) +
-         fmt::format("@media (prefers-color-scheme:dark){{:root{{{}}}}}\n", colours(dark_palette)) +
-         // Pictures are drawn on white and stay so.
-         R"(*{box-sizing:border-box}
-body{margin:0;background:var(--back);color:var(--text);font:1rem/1.55 system-ui,sans-serif}
-header,nav,main,footer{max-width:64rem;margin:0 auto;padding:0 1.25rem}
-header{padding-top:1.5rem}
-h1{font-size:1.7rem;line-height:1.2;margin:0 0 .5rem;overflow-wrap:anywhere}
-h2{font-size:1.3rem;margin:2.2rem 0 .6rem;padding-top:.9rem;border-top:1px solid var(--rule);overflow-wrap:anywhere}
-h3{font-size:1.08rem;margin:1.6rem 0 .4rem}
-h4,h5{font-size:1rem;margin:1.2rem 0 .3rem}
-p,ul{margin:.5rem 0;max-width:46rem;overflow-wrap:anywhere}
-nav ul{list-style:none;padding:0;display:flex;flex-wrap:wrap;gap:.2rem 1.2rem;max-width:none}
-a{color:var(--link)}
-.wide{overflow-x:auto;margin:.8rem 0}
-:focus-visible{outline:2px solid var(--link);outline-offset:2px}
-table{border-collapse:collapse;font-variant-numeric:tabular-nums}
-caption{text-align:left;color:var(--muted);padding:.2rem 0}
-th,td{padding:.28rem .8rem;border-bottom:1px solid var(--rule);text-align:left;vertical-align:top}
-th{background:var(--soft);font-weight:600}
-.number{text-align:right;white-space:nowrap}
-figure{margin:1rem 0}
-figure .wide{background:#fff;border:1px solid var(--rule);border-radius:4px;margin:0}
-svg{display:block;width:100%;min-width:34rem;max-width:62rem;height:auto}
-figcaption,footer{color:var(--muted)}
-pre{width:max-content;min-width:100%;margin:0;background:var(--soft);border-radius:4px;padding:.6rem .9rem;font-size:.9rem}
-footer{margin-top:2.5rem;padding-top:.8rem;padding-bottom:2rem;border-top:1px solid var(--rule)}
-)";
-}
-
 class HtmlWriter {
  public:
   std::string document(const Page& page) {
-    text_ = fmt::format(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-        "<title>{0}</title>\n<style>\n{1}</style>\n</head>\n<body>\n<header>\n<h1>{0}</h1>\n",
-        html_text(page.title), style());
-    add(page.lead);
-    text_ += "</header>\n";
-    add_contents(page);
-    text_ += "<main>\n";
-    for (const PageSection& section : page.sections) add(section, 2);
-    text_ += "</main>\n";
-    if (!page.colophon.empty()) {
-      text_ += "<footer>\n";
-      add(page.colophon);
-      text_ += "</footer>\n";
-    }
-    return text_ + "</body>\n</html>\n";
+    add_body(page);  // first: the style says which filters there are
+    return fmt::format(
+               "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+               "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+               "<title>{}</title>\n<style>\n{}</style>\n</head>\n",
+               html_text(page.title), detail::page_style(reach_)) +
+           text_ + "</html>\n";
   }
 
   void operator()(const PageParagraph& paragraph) {
@@ -78,26 +36,14 @@ class HtmlWriter {
   }
 
   void operator()(const PageTable& table) {
-    open_wide(table.caption);
-    text_ += fmt::format("<table>\n<caption>{}</caption>\n<thead><tr>", html_text(table.caption));
-    std::vector<std::string_view> kinds;
-    for (std::size_t c = 0; c < table.table.columns().size(); ++c) {
-      kinds.emplace_back(table.table.holds_numbers(c) ? " class=\"number\"" : "");
-      text_ += fmt::format("<th scope=\"col\"{}>{}</th>", kinds[c], html_text(table.table.columns()[c]));
-    }
-    text_ += "</tr></thead>\n<tbody>\n";
-    for (std::size_t r = 0; r < table.table.rows(); ++r) {
-      text_ += "<tr>";
-      for (std::size_t c = 0; c < kinds.size(); ++c)
-        text_ += fmt::format("<td{}>{}</td>", kinds[c], html_text(to_text(table.table.row(r)[c])));
-      text_ += "</tr>\n";
-    }
-    text_ += "</tbody>\n</table>\n</div>\n";
+    const detail::HtmlTable html(table, ++tables_);
+    reach_.filters = std::max(reach_.filters, html.reach().filters);
+    reach_.values = std::max(reach_.values, html.reach().values);
+    text_ += html.text();
   }
 
   void operator()(const PagePicture& picture) {
-    text_ += "<figure>\n";
-    open_wide(picture.caption);
+    text_ += "<figure>\n" + detail::wide_box(picture.caption);
     text_ += fmt::format("<div role=\"img\" aria-label=\"{}\">\n{}\n</div>\n</div>\n",
                          html_text(picture.alternative),
                          inline_svg(picture.svg, fmt::format("picture{}-", ++pictures_)));
@@ -105,28 +51,46 @@ class HtmlWriter {
   }
 
   void operator()(const PageCommands& commands) {
-    open_wide("Commands");
-    text_ += "<pre><code>";
-    for (const auto& line : commands.lines) text_ += html_text(line) + '\n';
-    text_ += "</code></pre>\n</div>\n";
+    std::string lines;
+    for (const auto& line : commands.lines) lines += line + '\n';
+    add_verbatim("Commands", lines);
   }
 
+  void operator()(const PageVerbatim& verbatim) { add_verbatim(verbatim.label, verbatim.text); }
+
  private:
-  /// A box that scrolls by itself where it is too wide, and that the keyboard reaches.
-  void open_wide(std::string_view label) {
-    text_ += fmt::format("<div class=\"wide\" role=\"group\" tabindex=\"0\" aria-label=\"{}\">\n",
-                         html_text(label));
+  void add_body(const Page& page) {
+    text_ = fmt::format("<body>\n<header>\n<h1>{}</h1>\n", html_text(page.title));
+    add(page.lead);
+    text_ += "</header>\n";
+    add_contents(page);
+    text_ += "<main>\n";
+    for (const PageSection& section : page.sections) add(section, 2);
+    text_ += "</main>\n";
+    if (!page.colophon.empty()) {
+      text_ += "<footer>\n";
+      add(page.colophon);
+      text_ += "</footer>\n";
+    }
+    text_ += "</body>\n";
+  }
+
+  void add_verbatim(std::string_view label, std::string_view text) {
+    text_ += detail::wide_box(label) + fmt::format("<pre><code>{}</code></pre>\n</div>\n", html_text(text));
   }
 
   void add(const std::vector<PageBlock>& blocks) {
     for (const PageBlock& block : blocks) std::visit(*this, block);
   }
 
+  static std::string anchor_of(const PageSection& section, int number) {
+    return section.anchor.empty() ? fmt::format("section{}", number) : section.anchor;
+  }
+
   void add(const PageSection& section, int level) {
     RAMIFY_EXPECTS(level <= 5);
-    const int number = ++sections_;
-    text_ += fmt::format("<section aria-labelledby=\"section{0}\">\n<h{1} id=\"section{0}\">{2}</h{1}>\n",
-                         number, level, html_text(section.heading));
+    text_ += fmt::format("<section aria-labelledby=\"{0}\">\n<h{1} id=\"{0}\">{2}</h{1}>\n",
+                         html_text(anchor_of(section, ++sections_)), level, html_text(section.heading));
     add(section.blocks);
     for (const PageSection& part : section.parts) add(part, level + 1);
     text_ += "</section>\n";
@@ -144,14 +108,16 @@ class HtmlWriter {
     text_ += "<nav aria-label=\"Contents\">\n<ul>\n";
     int number = 1;
     for (const PageSection& section : page.sections) {
-      text_ += fmt::format("<li><a href=\"#section{}\">{}</a></li>\n", number, html_text(section.heading));
+      text_ += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", html_text(anchor_of(section, number)),
+                           html_text(section.label.empty() ? section.heading : section.label));
       number += sections_of(section);
     }
     text_ += "</ul>\n</nav>\n";
   }
 
   std::string text_;
-  int sections_ = 0, pictures_ = 0;
+  detail::FilterReach reach_;
+  int sections_ = 0, pictures_ = 0, tables_ = 0;
 };
 
 }  // namespace

@@ -73,15 +73,23 @@ class MarkdownWriter {
   }
 
   void operator()(const PageCommands& commands) {
-    for (const auto& line : commands.lines) {
-      text_ += "    ";
-      for (const char c : line) text_ += c == '\n' ? "\n    " : std::string(1, c);
-      text_ += '\n';
-    }
+    for (const auto& line : commands.lines) add_indented(line);
+    text_ += '\n';
+  }
+
+  void operator()(const PageVerbatim& verbatim) {
+    text_ += fmt::format("{}:\n\n", markdown_text(verbatim.label));
+    add_indented(verbatim.text);
     text_ += '\n';
   }
 
  private:
+  void add_indented(std::string_view lines) {
+    text_ += "    ";
+    for (const char c : lines) text_ += c == '\n' ? "\n    " : std::string(1, c);
+    text_ += '\n';
+  }
+
   void heading(std::size_t level, std::string_view text) {
     text_ += fmt::format("{} {}\n\n", std::string(level, '#'), markdown_text(text));
   }

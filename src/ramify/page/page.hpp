@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <variant>
 #include <vector>
@@ -18,9 +19,24 @@ struct PageList {
   std::vector<std::string> items;
 };
 
+/// How a field stands out. Colour never says anything alone: the field's own words stand.
+enum class PageTone : std::uint8_t { plain, good, bad, open };
+
+/// A column whose fields stand out, each in the tone of its row.
+struct PageBadges {
+  std::string column;
+  std::vector<PageTone> tones;
+};
+
 struct PageTable {
   std::string caption;
   Table table;
+  // NOLINTBEGIN(readability-redundant-member-init): -Wextra wants them where an aggregate leaves them out
+  std::vector<std::string> links = {};  ///< row by row, the anchor to which the first field leads; or none
+  PageBadges badges = {};
+  /// Columns by whose values rows may be picked, where the form of the page can do that: without scripts.
+  std::vector<std::string> filters = {};
+  // NOLINTEND(readability-redundant-member-init)
 };
 
 struct PagePicture {
@@ -34,12 +50,22 @@ struct PageCommands {
   std::vector<std::string> lines;
 };
 
-using PageBlock = std::variant<PageParagraph, PageList, PageTable, PagePicture, PageCommands>;
+/// A text that stands as it is, line by line: a config.
+struct PageVerbatim {
+  std::string label;  ///< what it is
+  std::string text;
+};
+
+using PageBlock = std::variant<PageParagraph, PageList, PageTable, PagePicture, PageCommands, PageVerbatim>;
 
 struct PageSection {
   std::string heading;
   std::vector<PageBlock> blocks;
   std::vector<PageSection> parts;  ///< one level lower; four levels at most
+  // NOLINTBEGIN(readability-redundant-member-init): -Wextra wants them where an aggregate leaves them out
+  std::string anchor = {};  ///< by which links find it, one on the page; empty: a number
+  std::string label = {};   ///< in the contents; empty: the heading
+  // NOLINTEND(readability-redundant-member-init)
 };
 
 /// One page for reading, as a value: whoever makes it knows nothing of markup, and its writers

@@ -37,6 +37,10 @@ int exit_code(pid_t child) {
 
 }  // namespace
 
+std::string gnuplot_complaint(int exit_code, const std::string& said) {
+  return exit_code == not_installed ? "gnuplot is not installed" : "gnuplot failed: " + said;
+}
+
 ProgramResult run_gnuplot(const std::filesystem::path& folder, std::string_view script) {
   // The shell changes the folder for us; names reach it as arguments, so nothing in them is a command.
   // LC_ALL=C keeps decimal points and messages as they are, GNUTERM and a user's settings are left out.

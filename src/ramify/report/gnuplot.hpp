@@ -15,6 +15,9 @@ struct ProgramResult {
   std::string output;  ///< the last line it printed that is not empty
 };
 
+/// What is wrong where gnuplot ended with an exit code other than 0, or drew nothing.
+std::string gnuplot_complaint(int exit_code, const std::string& said);
+
 /// Runs gnuplot on a script in a folder, so that the pictures land beside it.
 ProgramResult run_gnuplot(const std::filesystem::path& folder, std::string_view script);
 

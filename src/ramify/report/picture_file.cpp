@@ -58,10 +58,11 @@ DrawnPlot draw_plot(const Plot& plot, PictureFormat format) {
   const ScratchFolder scratch;
   write_file_atomically(scratch.path() / "plot.gp", fmt::format("formats = '{}'\n{}", ending, *script));
   const auto result = detail::run_gnuplot(scratch.path(), "plot.gp");
-  if (result.exit_code == detail::not_installed) return {{}, "gnuplot is not installed", "install gnuplot"};
   std::string picture = bytes_of(scratch.path() / fmt::format("plot.{}", ending));
   if (result.exit_code != 0 || picture.empty())
-    return {{}, fmt::format("gnuplot failed: {}", result.output), "try another plot"};
+    return {{},
+            detail::gnuplot_complaint(result.exit_code, result.output),
+            result.exit_code == detail::not_installed ? "install gnuplot" : "try another plot"};
   return {std::move(picture), {}, {}};
 }
 

@@ -44,4 +44,18 @@ PlotFiles write_plot(const Plot& plot, const std::filesystem::path& folder, std:
   return files;
 }
 
+std::string why_not_drawn(const PlotFiles& files) {
+  switch (files.status) {
+    case PlotStatus::no_points:
+      return "there is no value to draw";
+    case PlotStatus::no_gnuplot:
+      return detail::gnuplot_complaint(detail::not_installed, files.message);
+    case PlotStatus::failed:
+      return detail::gnuplot_complaint(1, files.message);
+    case PlotStatus::drawn:
+      break;
+  }
+  return "";
+}
+
 }  // namespace ramify

@@ -46,6 +46,12 @@ struct Plot {
   bool whole_x = false;                 ///< tics at whole numbers alone
 };
 
+/// A plot and the name of its files.
+struct NamedPlot {
+  std::string stem;
+  Plot plot;
+};
+
 /// What became of a plot.
 enum class PlotStatus {
   drawn,       ///< script, SVG and PNG are there
@@ -67,5 +73,8 @@ struct PlotFiles {
 /// with the same fonts. Points that are not finite, or not positive on a log axis, are left out. Throws Error
 /// only where the script cannot be written.
 PlotFiles write_plot(const Plot& plot, const std::filesystem::path& folder, std::string_view stem);
+
+/// Why there is no picture, "gnuplot is not installed"; empty where there is one.
+std::string why_not_drawn(const PlotFiles& files);
 
 }  // namespace ramify

@@ -11,9 +11,12 @@
 #include "ramify/core/provenance.hpp"
 #include "ramify/io/atomic_file.hpp"
 #include "ramify/io/csv_writer.hpp"
+#include "ramify/page/html_writer.hpp"
+#include "ramify/report/filed_plot.hpp"
 #include "ramify/run/block_store.hpp"
 #include "ramify/run/exact_check.hpp"
 #include "ramify/run/plan.hpp"
+#include "ramify/run/run_page.hpp"
 #include "ramify/run/run_plots.hpp"
 #include "ramify/run/runner.hpp"
 #include "ramify/sample/graft_rule.hpp"
@@ -100,8 +103,13 @@ void write_tables(const fs::path& folder, const std::vector<CheckedCell>& cells)
   write_file_atomically(folder / "orders.csv", write_csv(orders_table(cells)));
 }
 
-void write_plots(const fs::path& folder, const std::vector<std::pair<std::string, Plot>>& plots) {
-  for (const auto& [stem, plot] : plots) write_plot(plot, folder, stem);
+/// Plots and page. Says why pictures are missing; nothing where all were drawn.
+std::string write_report(const fs::path& folder, const RunConfig& config, const Plan& plan,
+                         const CheckedRun& run, ModelLooks looks) {
+  looks.add(config);
+  const std::vector<FiledPlot> plots = file_plots(run_plots(run, plan, looks), folder / "plots");
+  write_file_atomically(folder / "report.html", write_html(run_page(config, plan, run, plots)));
+  return why_missing(plots);
 }
 
 /// Into the folder where the outcome lies.
@@ -131,11 +139,8 @@ RunOutcome run_experiment(const RunConfig& config, const RunOptions& options,
   RunOutcome outcome{checked ? std::move(*checked) : CheckedRun{unchecked(finished(book))},
                      checked.has_value(), work};
   write_tables(work, outcome.checked.cells);
-  if (outcome.finished) {
-    ModelLooks looks = options.looks;
-    looks.add(config);
-    write_plots(work / "plots", run_plots(outcome.checked, plan, looks));
-  }
+  if (outcome.finished)
+    outcome.no_pictures = write_report(work, config, plan, outcome.checked, options.looks);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   write_provenance(provenance_of(config, options, process), seconds.count(), plan, outcome);
   if (!outcome.finished) return outcome;

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "ramify/config/run_config.hpp"
@@ -26,10 +27,13 @@ struct RunOutcome {
   CheckedRun checked;            ///< the cells that are complete, in the order of the plan
   bool finished;                 ///< false where the user stopped it
   std::filesystem::path folder;  ///< where the tables lie: options.folder, or "<folder>.incomplete"
+  /// Why pictures are missing; empty where all were drawn.
+  std::string no_pictures = {};  // NOLINT(readability-redundant-member-init): -Wextra wants it
 };
 
 /// Runs a config: grows the trees of all its cells, checks the means against exact laws, writes the tables,
-/// plots and provenance.
+/// plots, provenance and a page about all of it, report.html (run_page.hpp). Without gnuplot the page names
+/// the pictures as missing.
 ///
 /// Throws Error before any work where the folder cannot be written or is not to be replaced (WorkFolder), or
 /// where what is to be taken over is of another plan (BlockStore). A run that is stopped, or killed, keeps

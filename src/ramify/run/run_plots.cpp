@@ -71,11 +71,11 @@ class Drawer {
         std::ranges::any_of(series, [](const PlotSeries& one) { return !one.curve.empty(); });
     if (has_curves) subtitle += "; curves: exact";
     if (log_y && has_zeros(series)) subtitle += "; values of 0 are not shown";
-    plots_.emplace_back(subject.stem, Plot{subject.title, subtitle, x_label_, subject.y_label, true, log_y,
-                                           std::move(series)});
+    plots_.push_back({subject.stem, Plot{subject.title, subtitle, x_label_, subject.y_label, true, log_y,
+                                         std::move(series)}});
   }
 
-  std::vector<std::pair<std::string, Plot>> finished() { return std::move(plots_); }
+  std::vector<NamedPlot> finished() { return std::move(plots_); }
 
  private:
   std::vector<PlotSeries> series_of(const Subject& subject) const {
@@ -98,7 +98,7 @@ class Drawer {
   const CheckedRun& run_;
   const ModelLooks& looks_;
   std::string x_label_;
-  std::vector<std::pair<std::string, Plot>> plots_;
+  std::vector<NamedPlot> plots_;
 };
 
 Subject mean_of(const StatisticInfo& statistic, const std::vector<ExactCurve>& curves) {
@@ -163,8 +163,7 @@ std::vector<PlotPoint> exact_means(const std::vector<ExactCurve>& curves, std::s
   return points;
 }
 
-std::vector<std::pair<std::string, Plot>> run_plots(const CheckedRun& run, const Plan& plan,
-                                                    const ModelLooks& looks) {
+std::vector<NamedPlot> run_plots(const CheckedRun& run, const Plan& plan, const ModelLooks& looks) {
   Drawer drawer(run, plan, looks);
   for (const auto* statistic : plan.statistics.chosen()) {
     if (statistic->shape != Columns::one || statistic->folds.empty()) continue;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "ramify/report/plot.hpp"
@@ -17,8 +16,7 @@ namespace ramify {
 /// Exact curves lie beneath the sampled points. None where no model has two sizes.
 /// @param plan   of the cells
 /// @param looks  of its models
-std::vector<std::pair<std::string, Plot>> run_plots(const CheckedRun& run, const Plan& plan,
-                                                    const ModelLooks& looks);
+std::vector<NamedPlot> run_plots(const CheckedRun& run, const Plan& plan, const ModelLooks& looks);
 
 /// The points of the exact mean of a column of a model, among all the curves; empty where there is none.
 std::vector<PlotPoint> exact_means(const std::vector<ExactCurve>& curves, std::string_view model,
