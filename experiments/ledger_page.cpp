@@ -62,8 +62,7 @@ PageSection reading_section() {
                  "standing proved: nothing is left to believe but the error bounds of the computation",
                  "standing extrapolated: numbers of a few digits, and that they go on as they did",
                  "standing seen: what was seen, and no more",
-                 "sampler: whether the program that draws trees obeys the exact law, another question than "
-                 "whether the statement is true; - where it takes no trees"}}},
+                 "sampler: whether what draws the trees obeys the exact law; - where no trees are taken"}}},
       {},
       "reading",
       "How to read it"};
