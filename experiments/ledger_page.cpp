@@ -71,14 +71,12 @@ PageSection reading_section() {
 Table config_table(const std::vector<RunConfig>& configs) {
   Table table({"config", "claims", "seed", "cells", "trees"});
   for (const RunConfig& config : configs) {
-    std::uint64_t trees = 0;
     const Plan plan = make_plan(config);
-    for (const Cell& cell : plan.cells) trees += cell.replicates;
     table.add(Row()
                   .texts({file_name(config), config.claim.value_or("none")})
                   .whole(config.seed)
                   .whole(plan.cells.size())
-                  .whole(trees));
+                  .whole(total_trees(plan)));
   }
   return table;
 }

@@ -14,6 +14,12 @@ Plan make_plan(const RunConfig& config) {
   return plan;
 }
 
+std::uint64_t total_trees(const Plan& plan) {
+  std::uint64_t trees = 0;
+  for (const Cell& cell : plan.cells) trees += cell.replicates;
+  return trees;
+}
+
 WorkEstimate estimate_work(const Plan& plan, unsigned threads) {
   constexpr double nanoseconds_a_node = 25, nanoseconds_grafted = 60, table_bytes = 140e3, value_bytes = 64;
   WorkEstimate work{0, 0, 20};

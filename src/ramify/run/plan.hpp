@@ -28,6 +28,9 @@ struct Plan {
 
 Plan make_plan(const RunConfig& config);
 
+/// Of all cells.
+std::uint64_t total_trees(const Plan& plan);
+
 /// What a plan costs before it is started.
 struct WorkEstimate {
   double nodes;      ///< internal nodes that are grown, those of grafted subtrees left out

@@ -39,11 +39,10 @@ std::string check_words(const std::vector<CheckedCell>& cells) {
 }
 
 std::vector<PageBlock> lead_of(const RunConfig& config, const Plan& plan, const CheckedRun& run) {
-  std::uint64_t trees = 0;
-  for (const Cell& cell : plan.cells) trees += cell.replicates;
-  std::string words = fmt::format(
-      "What {} says, grown and measured: {} of random trees, {} in all, seed {}. {}", file_name(config),
-      counted(plan.cells.size(), "cell"), counted(trees, "tree"), plan.seed, check_words(run.cells));
+  std::string words =
+      fmt::format("What {} says, grown and measured: {} of random trees, {} in all, seed {}. {}",
+                  file_name(config), counted(plan.cells.size(), "cell"), counted(total_trees(plan), "tree"),
+                  plan.seed, check_words(run.cells));
   return {PageParagraph{std::move(words)}};
 }
 
