@@ -5,7 +5,7 @@ set(groups
   "model estimate statistic law"
   "large sample theory accumulate compare"
   "config io page report draw measure run"
-  "family tabulate design fit horton dossier"
+  "family tabulate design fit horton dossier ranks"
   "experiments"
   "cli")
 

@@ -15,7 +15,7 @@ RunOutcome run_and_judge(const RunConfig& config, const RunOptions& options, con
   Ledger own(options.looks);
   own.add(config, outcome.checked);
   if (own.served().empty()) return outcome;
-  const auto judged = own.judged(own.served(), limits, options.threads, cancellation);
+  const auto judged = own.judged(own.served(), limits, options.workforce.threads, cancellation);
   write_file_atomically(outcome.folder / "verdicts.csv", write_csv(verdict_table(judged.verdicts)));
   if (outcome.no_pictures.empty())
     outcome.no_pictures = why_missing(file_plots(own.plots(), outcome.folder / "plots"));

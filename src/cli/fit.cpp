@@ -119,7 +119,7 @@ ExitCode fit_ratios(const FitArguments& options, const std::vector<std::string>&
   return any_not_converged(rows) ? ExitCode::no_convergence : ExitCode::done;
 }
 
-ModelFitOptions model_options(const FitArguments& options) {
+ModelFitOptions model_options(const FitArguments& options, const Workforce& workforce) {
   if (!options.n.empty())
     throw Error(fmt::format("--n {}", options.n),
                 "a tree, or a table of counts, says its n itself: tips less one",
@@ -128,7 +128,7 @@ ModelFitOptions model_options(const FitArguments& options) {
   fit.families = chosen_families(options.model.empty() ? "all" : options.model, all_families());
   fit.bootstrap_trees = read_bootstrap(options.bootstrap);
   fit.seed = read_count("--seed", options.seed);
-  fit.threads = read_threads(options.threads);
+  fit.workforce = workforce;
   fit.density = options.robust ? CountDensity::huber : CountDensity::gaussian;
   fit.valleys = !options.curve.empty() || !options.plot.empty();
   if (fit.valleys && std::ranges::none_of(fit.families, [](const Family* family) {
@@ -183,27 +183,37 @@ std::vector<FittedDatum> fit_file(const FitArguments& options, Observable observ
 }
 
 ExitCode fit_models(const FitArguments& options, Observable observable, const std::vector<std::string>& texts,
-                    const Cancellation& cancellation) {
-  const ModelFitOptions how = model_options(options);
+                    const Workforce& workforce, const Cancellation& cancellation) {
+  const ModelFitOptions how = model_options(options, workforce);
   const auto picture = picture_file(options.plot);
   std::vector<FittedDatum> data;
   for (std::size_t i = 0; i < texts.size(); ++i)
     for (auto& datum : fit_file(options, observable, texts[i], options.files[i], how, cancellation))
       data.push_back(std::move(datum));
+  if (!workforce.leads()) return ExitCode::done;
   if (picture) picture->draw(valley_plot(data));
   if (!options.curve.empty()) emit(write_csv(valley_table(data)), {options.curve});
   emit(is_for_reading(options) ? model_fit_text(data) : write_csv(model_fit_table(data)), options.output);
   return any_not_converged(data) ? ExitCode::no_convergence : ExitCode::done;
 }
 
-ExitCode fit(const FitArguments& options, const Cancellation& cancellation) {
+/// Of a job of several processes: trees of a bootstrap are all that they share.
+bool is_for_all(const FitArguments& options, Team* team) {
+  if (team == nullptr || options.bootstrap != "0") return true;
+  if (team->leads()) say_alone("fit without --bootstrap", *team);
+  return team->leads();
+}
+
+ExitCode fit(const FitArguments& options, Team* team, const Cancellation& cancellation) {
+  if (!is_for_all(options, team)) return ExitCode::done;
   require_known(options);
   std::vector<std::string> texts;
   for (const auto& file : options.files) texts.push_back(read_tree_file(file));
   const Observable observable = observable_of(options, texts);
   require_counts_for(options, observable);
-  return observable == Observable::ratio ? fit_ratios(options, texts, cancellation)
-                                         : fit_models(options, observable, texts, cancellation);
+  return observable == Observable::ratio
+             ? fit_ratios(options, texts, cancellation)
+             : fit_models(options, observable, texts, read_workforce(options.threads, team), cancellation);
 }
 
 }  // namespace
@@ -241,7 +251,8 @@ void add_fit(Program& program) {
               "table (aligned, with notes) or csv; auto: table on a terminal, else csv", Need::defaulted);
   options->output.add_table_to(verb);
   verb.example("Example: ramify fit data/walnut.csv");
-  verb.work([options](const Cancellation& cancellation) { return fit(*options, cancellation); });
+  verb.team_work(
+      [options](Team* team, const Cancellation& cancellation) { return fit(*options, team, cancellation); });
 }
 
 }  // namespace ramify::cli

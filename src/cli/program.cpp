@@ -46,7 +46,11 @@ void Verb::example(const std::string& text) {
 }
 
 void Verb::work(Work work) {
-  app_->callback([chosen = chosen_, work = std::move(work)] { *chosen = work; });
+  app_->callback([chosen = chosen_, work = std::move(work)] { *chosen = {work, {}}; });
+}
+
+void Verb::team_work(TeamWork work) {
+  app_->callback([chosen = chosen_, work = std::move(work)] { *chosen = {{}, work}; });
 }
 
 Program::Program()
@@ -62,7 +66,7 @@ Program::Program()
 Program::~Program() = default;
 
 Verb Program::verb(const std::string& name, const std::string& description) {
-  return {*app_->add_subcommand(name, description), work_};
+  return {*app_->add_subcommand(name, description), chosen_};
 }
 
 ProgramPages Program::pages() const {
@@ -84,15 +88,24 @@ int Program::refuse(const std::exception& error, const std::string& given) const
   return static_cast<int>(ExitCode::bad_input);
 }
 
-int Program::run(int argc, const char* const* argv) {
+ExitCode Program::work(const std::string& verb, Team* team) const {
+  if (chosen_.together) return chosen_.together(team, cancellation_);
+  if (team == nullptr) return chosen_.alone(cancellation_);
+  if (!team->leads()) return ExitCode::done;
+  say_alone(verb, *team);
+  return chosen_.alone(cancellation_);
+}
+
+int Program::run(int argc, const char* const* argv, Team* team) {
   try {
     app_->parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app_->exit(error);  // --help, --version
     return refuse(error, argc > 1 ? argv[1] : "");
   }
-  show_progress(app_->get_subcommands().front()->get_name());
-  const ExitCode code = work_(cancellation_);
+  const std::string verb = app_->get_subcommands().front()->get_name();
+  show_progress(verb);
+  const ExitCode code = work(verb, team);
   clear_progress_line();
   return static_cast<int>(code);
 }

@@ -8,6 +8,7 @@
 #include "exit_code.hpp"
 
 #include "ramify/core/cancellation.hpp"
+#include "ramify/core/workforce.hpp"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): theirs
 class App;
@@ -34,8 +35,16 @@ struct DeclaredOption {
 class Verb {
  public:
   using Work = std::function<ExitCode(const Cancellation&)>;
+  /// By all processes of a team; none: this process is alone.
+  using TeamWork = std::function<ExitCode(Team*, const Cancellation&)>;
 
-  Verb(CLI::App& app, Work& chosen) : app_(&app), chosen_(&chosen) {}
+  /// What the chosen verb does: one of the two.
+  struct Chosen {
+    Work alone;
+    TeamWork together;
+  };
+
+  Verb(CLI::App& app, Chosen& chosen) : app_(&app), chosen_(&chosen) {}
 
   /// @param names  "--n", "-o,--output", or a bare name where it is known by its place
   DeclaredOption option(const std::string& names, std::string& value, const std::string& what,
@@ -50,10 +59,12 @@ class Verb {
   void example(const std::string& text);
   /// What the verb does, once it is chosen and its options are read.
   void work(Work work);
+  /// The same of a verb that the processes of a team do together; those that do not lead must write nothing.
+  void team_work(TeamWork work);
 
  private:
   CLI::App* app_;
-  Work* chosen_;
+  Chosen* chosen_;
 };
 
 class ProgramPages;
@@ -77,14 +88,17 @@ class Program {
   Cancellation& cancellation() { return cancellation_; }
 
   /// Reads the arguments and does the work of the verb they name; the exit code.
-  int run(int argc, const char* const* argv);
+  /// @param team  that this process belongs to; none where it is alone
+  int run(int argc, const char* const* argv, Team* team);
 
  private:
   int refuse(const std::exception& error, const std::string& given) const;
 
   std::unique_ptr<CLI::App> app_;
   Cancellation cancellation_;
-  Verb::Work work_;
+  ExitCode work(const std::string& verb, Team* team) const;
+
+  Verb::Chosen chosen_;
 };
 
 }  // namespace ramify::cli

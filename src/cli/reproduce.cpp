@@ -79,26 +79,28 @@ void say_where(const fs::path& out) {
              out.string());
 }
 
-ExitCode reproduce(const ReproduceArguments& options, const Cancellation& cancellation) {
+ExitCode reproduce(const ReproduceArguments& options, Team* team, const Cancellation& cancellation) {
+  const Workforce workforce = read_workforce(options.flags.threads, team);
   const auto configs = configs_of(options);
+  if (!workforce.leads()) return help_run_configs(configs, options.flags, workforce, cancellation);
   if (options.flags.dry_run) {
-    print_cost(configs, options.flags);
+    print_cost(configs, workforce.threads);
     return ExitCode::done;
   }
-  require_runnable(configs, options.flags);
+  require_runnable(configs, options.flags, workforce.threads);
   const fs::path out = options.flags.out;
   require_writable_folder(out / "plots");  // where the verdicts and their plots go in the end
   GrowthLimits limits;
-  const Ledger ledger = run_configs(configs, options.flags, limits, cancellation);
+  const Ledger ledger = run_configs(configs, options.flags, workforce, limits, cancellation);
   const Reproduction reproduction{
       options.scale,
       options.claim,
       deciding_options(options),
       configs,
       asked_for(options),
-      judge_claims(ledger, asked_for(options), options.flags, limits, cancellation)};
+      judge_claims(ledger, asked_for(options), workforce.threads, limits, cancellation)};
   std::vector<NamedPlot> plots = ledger.plots();
-  std::ranges::move(law_plots(asked_for(options), limits, read_threads(options.flags.threads), cancellation),
+  std::ranges::move(law_plots(asked_for(options), limits, workforce.threads, cancellation),
                     std::back_inserter(plots));
   warn_of_pictures(write_ledger(reproduction, std::move(plots), out));
   const auto& judged = reproduction.judged;
@@ -120,7 +122,9 @@ void add_reproduce(Program& program) {
   verb.option("--configs", options->configs, "folder with quick/ and full/");
   options->flags.add_to(verb);
   verb.example("Example: ramify reproduce --scale quick --claim C22");
-  verb.work([options](const Cancellation& cancellation) { return reproduce(*options, cancellation); });
+  verb.team_work([options](Team* team, const Cancellation& cancellation) {
+    return reproduce(*options, team, cancellation);
+  });
 }
 
 }  // namespace ramify::cli

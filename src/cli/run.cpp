@@ -15,17 +15,19 @@ struct RunArguments {
   RunFlags flags;
 };
 
-ExitCode run(const RunArguments& options, const Cancellation& cancellation) {
+ExitCode run(const RunArguments& options, Team* team, const Cancellation& cancellation) {
+  const Workforce workforce = read_workforce(options.flags.threads, team);
   const auto configs =
       read_configs({options.configs.begin(), options.configs.end()}, options.flags.given_seed());
+  if (!workforce.leads()) return help_run_configs(configs, options.flags, workforce, cancellation);
   if (options.flags.dry_run) {
-    print_cost(configs, options.flags);
+    print_cost(configs, workforce.threads);
     return ExitCode::done;
   }
-  require_runnable(configs, options.flags);
+  require_runnable(configs, options.flags, workforce.threads);
   GrowthLimits limits;
-  const Ledger ledger = run_configs(configs, options.flags, limits, cancellation);
-  const auto judged = judge_claims(ledger, ledger.served(), options.flags, limits, cancellation);
+  const Ledger ledger = run_configs(configs, options.flags, workforce, limits, cancellation);
+  const auto judged = judge_claims(ledger, ledger.served(), workforce.threads, limits, cancellation);
   if (!judged.verdicts.empty()) emit(verdict_text(judged.verdicts));
   const ExitCode code = std::max(report_checks(ledger), delivered(judged));
   for (const auto& config : configs)
@@ -43,7 +45,8 @@ void add_run(Program& program) {
   verb.option("config", options->configs, "TOML files (docs/config.md)", Need::required);
   options->flags.add_to(verb);
   verb.example("Example: ramify run configs/quick/catalan_order.toml --out results/runs");
-  verb.work([options](const Cancellation& cancellation) { return run(*options, cancellation); });
+  verb.team_work(
+      [options](Team* team, const Cancellation& cancellation) { return run(*options, team, cancellation); });
 }
 
 }  // namespace ramify::cli

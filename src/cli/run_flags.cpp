@@ -13,11 +13,12 @@
 namespace ramify::cli {
 namespace {
 
-void run_config(const RunConfig& config, const RunFlags& flags, const ModelLooks& looks,
-                const Cancellation& cancellation, Ledger& ledger, GrowthLimits& limits) {
+void run_config(const RunConfig& config, const RunFlags& flags, const Workforce& workforce,
+                const ModelLooks& looks, const Cancellation& cancellation, Ledger& ledger,
+                GrowthLimits& limits) {
   const auto folder = flags.folder_of(config);
   const RunOptions options{folder,
-                           read_threads(flags.threads),
+                           workforce,
                            flags.kept_cells(),
                            progress_line(folder.filename().string()),
                            [](const std::string& line) { fmt::print(stderr, "ramify: {}\n", line); },
@@ -60,13 +61,13 @@ std::filesystem::path RunFlags::folder_of(const RunConfig& config) const {
   return std::filesystem::path(out) / std::filesystem::path(config.path).stem();
 }
 
-void print_cost(const std::vector<RunConfig>& configs, const RunFlags& flags) {
-  emit(describe_cost(configs, read_threads(flags.threads)));
+void print_cost(const std::vector<RunConfig>& configs, unsigned threads) {
+  emit(describe_cost(configs, threads));
 }
 
-void require_runnable(const std::vector<RunConfig>& configs, const RunFlags& flags) {
+void require_runnable(const std::vector<RunConfig>& configs, const RunFlags& flags, unsigned threads) {
   require_consent(total_nodes(configs), flags.yes);
-  require_run_memory(configs, read_threads(flags.threads));
+  require_run_memory(configs, threads);
   for (const auto& config : configs) require_run_folder(flags.folder_of(config), flags.kept_cells());
 }
 
@@ -77,20 +78,28 @@ void warn_of_pictures(const std::string& why) {
   fmt::print(stderr, "ramify: warning: pictures are missing: {}; tables and reports are there\n", why);
 }
 
-Ledger run_configs(const std::vector<RunConfig>& configs, const RunFlags& flags, GrowthLimits& limits,
-                   const Cancellation& cancellation) {
+Ledger run_configs(const std::vector<RunConfig>& configs, const RunFlags& flags, const Workforce& workforce,
+                   GrowthLimits& limits, const Cancellation& cancellation) {
   ModelLooks looks;
   for (const auto& config : configs) looks.add(config);
   Ledger ledger(looks);
-  for (const auto& config : configs) run_config(config, flags, looks, cancellation, ledger, limits);
+  for (const auto& config : configs)
+    run_config(config, flags, workforce, looks, cancellation, ledger, limits);
   return ledger;
 }
 
-Ledger::Judged judge_claims(const Ledger& ledger, const std::vector<const Claim*>& claims,
-                            const RunFlags& flags, GrowthLimits& limits, const Cancellation& cancellation) {
+ExitCode help_run_configs(const std::vector<RunConfig>& configs, const RunFlags& flags,
+                          const Workforce& workforce, const Cancellation& cancellation) {
+  if (flags.dry_run) return ExitCode::done;
+  for (const auto& config : configs) help_run_experiment(config, workforce, cancellation);
+  return ExitCode::done;
+}
+
+Ledger::Judged judge_claims(const Ledger& ledger, const std::vector<const Claim*>& claims, unsigned threads,
+                            GrowthLimits& limits, const Cancellation& cancellation) {
   if (claims.empty()) return {};
   show_progress("verdicts");
-  Ledger::Judged judged = ledger.judged(claims, limits, read_threads(flags.threads), cancellation);
+  Ledger::Judged judged = ledger.judged(claims, limits, threads, cancellation);
   clear_progress_line();
   for (const auto& failure : judged.failures) fmt::print(stderr, "ramify: {}\n", failure);
   return judged;

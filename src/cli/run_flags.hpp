@@ -10,6 +10,7 @@
 
 #include "ramify/config/run_config.hpp"
 #include "ramify/core/cancellation.hpp"
+#include "ramify/core/workforce.hpp"
 #include "ramify/run/work_folder.hpp"
 
 namespace ramify::cli {
@@ -32,23 +33,28 @@ struct RunFlags {
 };
 
 /// What the configs would cost, for --dry-run.
-void print_cost(const std::vector<RunConfig>& configs, const RunFlags& flags);
+void print_cost(const std::vector<RunConfig>& configs, unsigned threads);
 
 /// Throws Error where the configs are not to be run as they are: too large without --yes, or for the memory,
 /// or into folders that are not to be replaced.
-void require_runnable(const std::vector<RunConfig>& configs, const RunFlags& flags);
+/// @param threads  of this process
+void require_runnable(const std::vector<RunConfig>& configs, const RunFlags& flags, unsigned threads);
 
 /// Runs the configs, which are runnable, one after the other. Throws Interrupted, after saying
 /// where the complete cells lie, when stopped.
-Ledger run_configs(const std::vector<RunConfig>& configs, const RunFlags& flags, GrowthLimits& limits,
-                   const Cancellation& cancellation);
+Ledger run_configs(const std::vector<RunConfig>& configs, const RunFlags& flags, const Workforce& workforce,
+                   GrowthLimits& limits, const Cancellation& cancellation);
+
+/// What the other processes of a team do meanwhile, or where nothing is run: grow trees, and write nothing.
+ExitCode help_run_configs(const std::vector<RunConfig>& configs, const RunFlags& flags,
+                          const Workforce& workforce, const Cancellation& cancellation);
 
 /// Says on standard error why pictures are missing, each reason once in a process; nothing where none is.
 void warn_of_pictures(const std::string& why);
 
 /// The verdicts on the claims. What could not be judged is said on standard error, part by part.
-Ledger::Judged judge_claims(const Ledger& ledger, const std::vector<const Claim*>& claims,
-                            const RunFlags& flags, GrowthLimits& limits, const Cancellation& cancellation);
+Ledger::Judged judge_claims(const Ledger& ledger, const std::vector<const Claim*>& claims, unsigned threads,
+                            GrowthLimits& limits, const Cancellation& cancellation);
 
 /// check_failed where a part that was declared has no verdict.
 ExitCode delivered(const Ledger::Judged& judged);

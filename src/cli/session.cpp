@@ -90,6 +90,8 @@ std::size_t terminal_width() {
   return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
 }
 
+bool is_terminal_forgotten = false;
+
 Progress& progress() {
   static Progress line;
   return line;
@@ -125,6 +127,10 @@ unsigned read_threads(const std::string& text) {
   return static_cast<unsigned>(threads);
 }
 
+Workforce read_workforce(const std::string& threads, Team* team) {
+  return {threads.empty() && team != nullptr ? team->cores() : read_threads(threads), team};
+}
+
 std::uint64_t read_replicates(const std::string& text) {
   const std::uint64_t trees = read_count("--replicates", text);
   if (trees < 99)
@@ -148,6 +154,10 @@ double read_real(const std::string& option, const std::string& text) {
               "write a number or a fraction, such as 0.23 or 1/4.35");
 }
 
+void forget_terminal() {
+  is_terminal_forgotten = true;
+}
+
 void Output::add_to(Verb& verb) {
   verb.option("-o,--output", file, "write to this file, in one step; - is standard output");
 }
@@ -158,7 +168,7 @@ void Output::add_table_to(Verb& verb) {
 }
 
 bool Output::is_for_reading() const {
-  return (file.empty() || file == "-") && !csv && isatty(STDOUT_FILENO) != 0;
+  return (file.empty() || file == "-") && !csv && !is_terminal_forgotten && isatty(STDOUT_FILENO) != 0;
 }
 
 void emit(const std::string& text, const Output& output) {
@@ -185,6 +195,11 @@ void require_consent(double nodes, bool yes) {
   if (nodes <= large_work || yes) return;
   throw Error(fmt::format("{:.3g} nodes to grow", nodes), "more than 10^13 takes days",
               "add --yes if you mean it, or see --dry-run");
+}
+
+void say_alone(const std::string& what, const Team& team) {
+  fmt::print(stderr, "ramify: note: {} works in one process: the other {} of this job wait for it\n", what,
+             team.processes() - 1);
 }
 
 void show_progress(const std::string& label) {

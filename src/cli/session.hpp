@@ -10,6 +10,7 @@
 
 #include "ramify/core/cancellation.hpp"
 #include "ramify/core/error.hpp"
+#include "ramify/core/workforce.hpp"
 #include "ramify/io/table.hpp"
 #include "ramify/report/picture_file.hpp"
 #include "ramify/tree/grammar.hpp"
@@ -26,6 +27,9 @@ void add_threads(Verb& verb, std::string& threads);
 /// Threads for --threads: the number given (1 to 1024), else as many as the machine has cores.
 unsigned read_threads(const std::string& text);
 
+/// Those threads, and the others of a team: without --threads its processes divide the machine's cores.
+Workforce read_workforce(const std::string& threads, Team* team);
+
 /// A real number of an option, "0.23" or "1/4.35"; throws Error for anything else.
 double read_real(const std::string& option, const std::string& text);
 
@@ -34,6 +38,10 @@ std::uint64_t read_replicates(const std::string& text);
 
 /// Trees that a fit is tried on again, for --bootstrap: none, or 40 or more.
 std::uint64_t read_bootstrap(const std::string& text);
+
+/// From now on standard output is no terminal, whatever it looks like: mpirun gives rank 0 a pseudo-terminal
+/// even where its own output goes into a file.
+void forget_terminal();
 
 /// Whoever read standard output has gone: no fault, and nothing to say.
 class ClosedPipe {};
@@ -63,6 +71,9 @@ std::optional<PictureFile> picture_file(const std::string& text);
 
 /// Refuses more than 10^13 nodes unless --yes was given.
 void require_consent(double nodes, bool yes);
+
+/// Says that a job of several processes has nothing for all but one of them to do.
+void say_alone(const std::string& what, const Team& team);
 
 /// From now on work that takes longer than two seconds says so on standard error where that is a terminal:
 /// "law: 12 s", or how much is done where the work tells it.

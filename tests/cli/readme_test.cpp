@@ -8,12 +8,19 @@
 namespace ramify::test {
 namespace {
 
+#ifdef RAMIFY_HAS_MPI
+constexpr bool has_mpi = true;
+#else
+constexpr bool has_mpi = false;
+#endif
+
 /// The commands that a page shows.
 std::vector<std::string> commands_of(const std::string& page) {
   std::vector<std::string> found;
   std::istringstream lines(read_file(std::filesystem::path(RAMIFY_SOURCE) / page));
   for (std::string line; std::getline(lines, line);)
-    if (line.starts_with("    ramify ")) found.push_back(line.substr(11));
+    if (line.starts_with("    ramify ") || (has_mpi && line.starts_with("    mpirun ")))
+      found.push_back(line.substr(4));
   return found;
 }
 
@@ -48,13 +55,19 @@ std::vector<std::string> new_commands(const std::string& page) {
   return found;
 }
 
+/// As CI is, on a machine of two cores.
+const std::string as_root =
+    "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 ";
+
 class Page : public testing::TestWithParam<std::string> {};
 
 TEST_P(Page, ShowsCommandsThatRun) {
   const Scratch scratch;
   furnish(scratch);
   for (const auto& command : new_commands(GetParam())) {
-    const Ran ran = shell("cd " + scratch.path().string() + " && " + RAMIFY_PROGRAM + " " + command);
+    const std::string folder = std::filesystem::path(RAMIFY_PROGRAM).parent_path().string();
+    const Ran ran =
+        shell("cd " + scratch.path().string() + " && PATH=" + folder + ":$PATH " + as_root + command);
     EXPECT_EQ(ran.code, 0) << command << '\n' << ran.err;
   }
 }

@@ -220,7 +220,7 @@ TEST(FitGivenOrder, BootstrapDoesNotDependOnThreads) {
   const auto with = [&](unsigned threads) {
     TreeFitOptions options;
     options.bootstrap = {40, 7};
-    options.threads = threads;
+    options.workforce = threads;
     return fit_trees_given_order(trees, both, options, {})[0];
   };
   const TreeFit one = with(1), three = with(3);

@@ -161,7 +161,7 @@ TEST(FitTree, BootstrapDoesNotDependOnThreads) {
   const auto with = [&](unsigned threads) {
     TreeFitOptions options;
     options.bootstrap = {20, 7};
-    options.threads = threads;
+    options.workforce = threads;
     return fit_trees(trees, chosen({"aldous", "beta_multinomial", "bst"}), options, never);
   };
   const auto one = with(1), three = with(3);

@@ -134,7 +134,7 @@ std::array<double, 3> called_small(std::span<const RecordedTree> trees) {
   for (const RecordedTree& tree : trees) {
     TreeFitOptions options;
     options.bootstrap = {99, test::seed_of(tree.name)};
-    options.threads = 2;
+    options.workforce = 2;
     const auto fits = fit_trees_given_order({&tree, 1}, {&family, 1}, options, test::uninterrupted);
     for (std::size_t i = 0; i < found.size(); ++i)
       if (fits[0].families[0].goodness.p_value <= goodness_levels[i])

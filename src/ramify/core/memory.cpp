@@ -20,6 +20,8 @@ constexpr double own_bytes = 32e6;
 /// Of what is there; the rest is for the system and what else runs on it, or lost between allocations.
 constexpr double usable_share = 0.9;
 
+unsigned processes_here = 1;
+
 double limit_of(int resource) {
   rlimit limit{};
   if (::getrlimit(resource, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return HUGE_VAL;
@@ -59,7 +61,12 @@ std::uint64_t largest_that_fits(std::uint64_t size, const std::function<double(s
 double usable_memory() {
   const double machine = usable_share * static_cast<double>(::sysconf(_SC_PHYS_PAGES)) *
                          static_cast<double>(::sysconf(_SC_PAGESIZE));
-  return std::min({machine, group_limit(), limit_of(RLIMIT_AS), limit_of(RLIMIT_DATA)});
+  return std::min(
+      {machine / processes_here, group_limit() / processes_here, limit_of(RLIMIT_AS), limit_of(RLIMIT_DATA)});
+}
+
+void share_memory(unsigned processes) {
+  processes_here = processes;
 }
 
 std::string in_bytes(double bytes) {

@@ -11,6 +11,9 @@ namespace ramify {
 /// -v, -d; the control group) leave of it.
 double usable_memory();
 
+/// From now on this process is one of several that share the machine: usable_memory() is a share of it.
+void share_memory(unsigned processes);
+
 /// "12.3 GB".
 std::string in_bytes(double bytes);
 

@@ -14,7 +14,6 @@
 #include "ramify/fit/simulated_counts.hpp"
 #include "ramify/fit/valley.hpp"
 #include "ramify/large/stream_counts.hpp"
-#include "ramify/sample/grow_blocks.hpp"
 #include "ramify/theory/horton_ratio_constant.hpp"
 
 namespace ramify {
@@ -31,19 +30,6 @@ Goodness goodness_of(double misfit, const ObservedCounts& counts, std::size_t pa
 
 Point place_of(const FamilyFit& fit) {
   return fit.family->searched(fit.estimates());
-}
-
-/// look(replicate, its counts) of the trees of a bootstrap; several threads call it at once.
-template <class Look>
-void each_grown_counts(const Model& model, Size n, const BootstrapPlan& plan, unsigned threads,
-                       const Cancellation& cancellation, Look look) {
-  const GrowingJob job{model, n, plan.seed, {orders_and_height, true}, 0, plan.trees, 64};
-  grow_blocks({job}, threads, cancellation, [&look](const Block&, const BlockTrees& trees) {
-    trees.each([&look](std::uint64_t replicate, const TreeMeasures& measures) {
-      const auto top = measures.streams.begin() + measures.strahler + 1;
-      look(replicate, ObservedCounts{{measures.streams.begin(), top}});
-    });
-  });
 }
 
 /// Which orders Huber's loss holds to be odd.
@@ -67,7 +53,8 @@ std::string CountFitter::cannot_fit(const Family& family, Size n) {
 
 CountSurface& CountFitter::surface(const Family& family, Size n) {
   auto& surface = surfaces_[{&family, n}];
-  if (surface == nullptr) surface = std::make_unique<CountSurface>(family, n, threads_, *cancellation_);
+  if (surface == nullptr)
+    surface = std::make_unique<CountSurface>(family, n, workforce_.threads, *cancellation_);
   return *surface;
 }
 
@@ -112,21 +99,19 @@ void CountFitter::bootstrap(FamilyFit& fit, const ObservedCounts& counts, const 
   CountSurface& surface = this->surface(family, counts.n());
   refine_range(fit, counts, surface);
   const Point start = place_of(fit);
-  std::vector<std::vector<double>> estimates(plan.trees);
-  std::vector<double> misfits(plan.trees);
-  const auto refit = [&](std::uint64_t replicate, const ObservedCounts& found) {
+  const auto refit = [&](const ObservedCounts& found) {
     ObservedCounts grown = found;
     grown.streams[0] = counts.streams[0];  // which a tree of forks of three may miss by one
     const Point place = best_place(family, count_objective(surface, grown, density_), start);
-    estimates[replicate] = family.values(place);
-    misfits[replicate] = count_misfit(surface, grown, place);
+    return with_misfit(family.values(place), count_misfit(surface, grown, place));
   };
-  each_grown_counts(family.at(fit.estimates()), size_with_tips_of(family, counts.n()), plan, threads_,
-                    *cancellation_, refit);
-  summarise_bootstrap(estimates, fit);
-  const auto larger =
-      std::ranges::count_if(misfits, [&fit](double misfit) { return misfit >= fit.goodness.statistic; });
-  fit.goodness.trees = plan.trees;
+  Refits refits = refitted_counts(family.at(fit.estimates()), size_with_tips_of(family, counts.n()), plan,
+                                  workforce_, *cancellation_, refit);
+  const std::vector<double> misfits = take_misfits(refits, plan, fit);
+  if (misfits.empty()) return;
+  summarise_bootstrap(refits, fit);
+  const auto larger = std::ranges::count_if(misfits.begin() + 1, misfits.end(),
+                                            [&](double misfit) { return misfit >= misfits.front(); });
   fit.goodness.p_value = (1 + static_cast<double>(larger)) / (1 + static_cast<double>(plan.trees));
 }
 
@@ -137,18 +122,15 @@ std::vector<double> CountFitter::grown_ratios(const NestedPair& pair, const Obse
   CountSurface& surface = this->surface(larger, counts.n());
   // Laws are read accurately where fits of such trees lie: around that of the first.
   surface.refine(pair.place, counts.reading());
-  each_grown_counts(simpler, counts.n(), {1, plan.seed}, 1, *cancellation_,
-                    [&](std::uint64_t, const ObservedCounts& first) {
-                      const FamilyFit about = fit(larger, first);
-                      if (about.converged) refine_range(about, first, surface);
-                    });
-  std::vector<double> ratios(plan.trees);
-  each_grown_counts(simpler, counts.n(), plan, threads_, *cancellation_,
-                    [&](std::uint64_t replicate, const ObservedCounts& grown) {
-                      ratios[replicate] =
-                          likelihood_ratio(larger, count_objective(surface, grown, density_), pair.place);
-                    });
-  return ratios;
+  refitted_counts(simpler, counts.n(), {1, plan.seed}, 1, *cancellation_, [&](const ObservedCounts& first) {
+    const FamilyFit about = fit(larger, first);
+    if (about.converged) refine_range(about, first, surface);
+    return std::vector<double>{};
+  });
+  return only_numbers(refitted_counts(
+      simpler, counts.n(), plan, workforce_, *cancellation_, [&](const ObservedCounts& grown) {
+        return std::vector{likelihood_ratio(larger, count_objective(surface, grown, density_), pair.place)};
+      }));
 }
 
 void CountFitter::trace_valley(FamilyFit& fit, const ObservedCounts& counts) {

@@ -4,6 +4,8 @@
 #include <memory>
 #include <utility>
 
+#include "ramify/core/cancellation.hpp"
+#include "ramify/core/workforce.hpp"
 #include "ramify/fit/bootstrap.hpp"
 #include "ramify/fit/count_likelihood.hpp"
 #include "ramify/fit/family_fit.hpp"
@@ -17,11 +19,11 @@ namespace ramify {
 /// a time.
 class CountFitter {
  public:
-  /// @param threads       decides the time alone
+  /// @param workforce     decides the time alone
   /// @param cancellation  must outlive it
-  CountFitter(unsigned threads, const Cancellation& cancellation,
+  CountFitter(const Workforce& workforce, const Cancellation& cancellation,
               CountDensity density = CountDensity::gaussian)
-      : threads_(threads), cancellation_(&cancellation), density_(density) {}
+      : workforce_(workforce), cancellation_(&cancellation), density_(density) {}
 
   /// Nothing where the family can be fitted to counts of this n; else why not.
   static std::string cannot_fit(const Family& family, Size n);
@@ -54,7 +56,7 @@ class CountFitter {
  private:
   void refine_range(const FamilyFit& fit, const ObservedCounts& counts, CountSurface& surface);
 
-  unsigned threads_;
+  Workforce workforce_;
   const Cancellation* cancellation_;
   CountDensity density_;
   std::map<std::pair<const Family*, Size>, std::unique_ptr<CountSurface>> surfaces_;

@@ -139,7 +139,7 @@ FamilyFit fit_counts_of_order(const Family& family, const ObservedCounts& counts
     return no_fit(family, "counts do not say which orders meet: fit the tree itself", counts.n());
   FamilyFit fit = fit_counts_given_order(counts);
   if (options.bootstrap_trees > 0 && fit.converged && !std::isnan(fit.log_likelihood))
-    bootstrap_counts_given_order(fit, counts, {options.bootstrap_trees, options.seed}, options.threads,
+    bootstrap_counts_given_order(fit, counts, {options.bootstrap_trees, options.seed}, options.workforce,
                                  cancellation);
   return fit;
 }
@@ -193,7 +193,7 @@ std::vector<const Family*> chosen_families(std::string_view names, std::span<con
 
 std::vector<FittedDatum> fit_order_counts(std::span<const OrderCounts> tables, std::string_view file,
                                           const ModelFitOptions& options, const Cancellation& cancellation) {
-  CountFitter fitter(options.threads, cancellation, options.density);
+  CountFitter fitter(options.workforce, cancellation, options.density);
   const auto of_size = given(Given::size, options.families), of_order = given(Given::order, options.families);
   std::vector<FittedDatum> data;
   double done = 0;
@@ -234,7 +234,7 @@ std::vector<OrderCounts> order_counts_of(std::span<const RecordedTree> trees) {
 std::vector<FittedDatum> fit_whole_trees(std::span<const RecordedTree> trees, std::string_view file,
                                          bool pooled, const ModelFitOptions& options,
                                          const Cancellation& cancellation) {
-  const TreeFitOptions how{pooled, {options.bootstrap_trees, options.seed}, options.threads};
+  const TreeFitOptions how{pooled, {options.bootstrap_trees, options.seed}, options.workforce};
   const auto of_order = given(Given::order, options.families);
   auto of_size = given(Given::size, options.families);
   const std::vector<FamilyFit> simulated = take_simulated(of_size);
@@ -269,7 +269,7 @@ std::vector<FittedDatum> fit_bi_order_table(const ObservedBiOrders& observed, st
                 "leave --model out, or take tokunaga, ramification");
   FittedDatum datum = tree_given_order(
       fit_bi_orders(std::string(file), observed, options.families,
-                    {true, {options.bootstrap_trees, options.seed}, options.threads}, cancellation),
+                    {true, {options.bootstrap_trees, options.seed}, options.workforce}, cancellation),
       file);
   if (const std::size_t trees = observed.tree_orders().size(); trees > 1)
     datum.used += fmt::format(" of {} trees", trees);

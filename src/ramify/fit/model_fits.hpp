@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ramify/core/cancellation.hpp"
+#include "ramify/core/workforce.hpp"
 #include "ramify/family/observed_bi_orders.hpp"
 #include "ramify/fit/count_likelihood.hpp"
 #include "ramify/fit/family_fit.hpp"
@@ -21,7 +22,7 @@ struct ModelFitOptions {
   std::vector<const Family*> families;
   std::uint64_t bootstrap_trees = 0;  ///< of every fit; none: no bootstrap
   std::uint64_t seed = 1996;
-  unsigned threads = 1;                           ///< decides the time alone
+  Workforce workforce = 1;                        ///< decides the time alone
   CountDensity density = CountDensity::gaussian;  ///< of counts
   bool valleys = false;  ///< of counts: pairs of shapes that fit nearly as well (valley.hpp)
   // NOLINTNEXTLINE(readability-redundant-member-init): -Wextra wants it where an aggregate leaves it out

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <utility>
 
 #include <boost/math/special_functions/gamma.hpp>
@@ -151,31 +150,23 @@ FamilyFit fit_counts_given_order(const ObservedCounts& counts) {
 }
 
 void bootstrap_counts_given_order(FamilyFit& fit, const ObservedCounts& counts, const BootstrapPlan& plan,
-                                  unsigned threads, const Cancellation& cancellation) {
+                                  const Workforce& workforce, const Cancellation& cancellation) {
   const Model model = Model::make(*fit.family->model, tokunaga_of_ratio(fit.estimates()));
   const Size order = counts.top();
   model.require_size(order);
   const Point at = fit.family->searched(fit.estimates());
-  std::vector<std::optional<std::vector<double>>> refits(plan.trees);
-  each_replicate(model, {&order, 1}, static_cast<double>(counts.n()), plan, threads, cancellation,
-                 [&](std::uint64_t replicate, std::span<const RecordedTree* const> trees) {
-                   const ObservedCounts grown{measure_orders(*trees[0]).streams};
-                   if (orders_given_above(grown) < fit.parameters.size()) return;
-                   const Point place = best_place(*fit.family, order_count_objective(grown), at);
-                   refits[replicate] = fit.family->values(place);
-                   refits[replicate]->push_back(misfit_of(grown, *refits[replicate]));
-                 });
-  std::vector<std::vector<double>> estimates;
-  std::vector<double> misfits{fit.goodness.statistic};
-  for (auto& refit : refits) {
-    if (!refit) continue;
-    misfits.push_back(refit->back());
-    estimates.push_back(std::move(*refit));
-  }
-  note_failures(plan.trees - estimates.size(), plan, fit);
-  if (estimates.empty()) return;
-  summarise_bootstrap(estimates, fit);
-  fit.goodness.trees = estimates.size();
+  Refits refits =
+      refitted_trees(model, {&order, 1}, static_cast<double>(counts.n()), plan, workforce, cancellation,
+                     [&](std::span<const RecordedTree* const> trees) -> std::vector<double> {
+                       const ObservedCounts grown{measure_orders(*trees[0]).streams};
+                       if (orders_given_above(grown) < fit.parameters.size()) return {};
+                       const std::vector<double> values =
+                           fit.family->values(best_place(*fit.family, order_count_objective(grown), at));
+                       return with_misfit(values, misfit_of(grown, values));
+                     });
+  const std::vector<double> misfits = take_misfits(refits, plan, fit);
+  if (misfits.empty()) return;
+  summarise_bootstrap(refits, fit);
   fit.goodness.p_value = bootstrap_p_value(misfits, plan.seed);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ramify/core/cancellation.hpp"
+#include "ramify/core/workforce.hpp"
 #include "ramify/fit/bootstrap.hpp"
 #include "ramify/fit/count_likelihood.hpp"
 #include "ramify/fit/family_fit.hpp"
@@ -40,6 +41,6 @@ FamilyFit fit_counts_given_order(const ObservedCounts& counts);
 /// Trees of the fitted model with a root of the same order, each fitted as the counts were (bootstrap.hpp).
 /// Throws Interrupted. Cost: some 40 ns a node.
 void bootstrap_counts_given_order(FamilyFit& fit, const ObservedCounts& counts, const BootstrapPlan& plan,
-                                  unsigned threads, const Cancellation& cancellation);
+                                  const Workforce& workforce, const Cancellation& cancellation);
 
 }  // namespace ramify

@@ -100,18 +100,13 @@ std::vector<double> shares(const ObservedBiOrders& observed) {
   return all;
 }
 
-/// Of a tree of the bootstrap.
-struct Refit {
-  std::vector<double> estimates;
-  double misfit;
-};
-
-std::optional<Refit> refitted(const Family& family, const ObservedBiOrders& observed, const Point& at) {
+/// Of a tree of the bootstrap the estimates, then the misfit; nothing where it could not be fitted.
+std::vector<double> refitted(const Family& family, const ObservedBiOrders& observed, const Point& at) {
   if (!too_few_orders(family, observed).empty()) return {};
-  if (family.of_bi_orders == nullptr) return Refit{shares(observed), std::nan("")};
+  if (family.of_bi_orders == nullptr) return with_misfit(shares(observed), std::nan(""));
   const Minimum best = minimise(order_objective(family, observed), at);
   if (!best.converged) return {};
-  return Refit{family.values(best.at), 2 * (saturated_log_likelihood(observed) + best.value)};
+  return with_misfit(family.values(best.at), 2 * (saturated_log_likelihood(observed) + best.value));
 }
 
 Model model_of(const FamilyFit& fit, const ObservedBiOrders& observed) {
@@ -159,30 +154,22 @@ FamilyFit fit_given_order(const Family& family, const ObservedBiOrders& observed
 }
 
 void bootstrap_given_order(FamilyFit& fit, const ObservedBiOrders& observed, const BootstrapPlan& plan,
-                           unsigned threads, const Cancellation& cancellation) {
+                           const Workforce& workforce, const Cancellation& cancellation) {
   const Family& family = *fit.family;
   const Model model = model_of(fit, observed);
   const Point at = family.of_bi_orders == nullptr ? Point{} : family.searched(fit.estimates());
   const std::vector<Size> sizes(observed.tree_orders().begin(), observed.tree_orders().end());
   for (const Size order : sizes) model.require_size(order);
-  std::vector<std::optional<Refit>> refits(plan.trees);
-  each_replicate(model, sizes, observed.all_nodes(), plan, threads, cancellation,
-                 [&](std::uint64_t replicate, std::span<const RecordedTree* const> trees) {
-                   ObservedBiOrders grown;
-                   for (const RecordedTree* tree : trees) grown.add(ObservedBiOrders(tree->tree, tree->name));
-                   refits[replicate] = refitted(family, grown, at);
-                 });
-  std::vector<std::vector<double>> estimates;
-  std::vector<double> misfits{fit.goodness.statistic};
-  for (auto& refit : refits) {
-    if (!refit) continue;
-    misfits.push_back(refit->misfit);
-    estimates.push_back(std::move(refit->estimates));
-  }
-  note_failures(plan.trees - estimates.size(), plan, fit);
-  if (estimates.empty()) return;
-  summarise_bootstrap(estimates, fit);
-  fit.goodness.trees = estimates.size();
+  Refits refits = refitted_trees(model, sizes, observed.all_nodes(), plan, workforce, cancellation,
+                                 [&](std::span<const RecordedTree* const> trees) {
+                                   ObservedBiOrders grown;
+                                   for (const RecordedTree* tree : trees)
+                                     grown.add(ObservedBiOrders(tree->tree, tree->name));
+                                   return refitted(family, grown, at);
+                                 });
+  const std::vector<double> misfits = take_misfits(refits, plan, fit);
+  if (misfits.empty()) return;
+  summarise_bootstrap(refits, fit);
   if (family.of_bi_orders != nullptr) fit.goodness.p_value = bootstrap_p_value(misfits, plan.seed);
 }
 
@@ -193,7 +180,7 @@ TreeFit fit_bi_orders(std::string name, const ObservedBiOrders& observed,
   for (const Family* family : families) {
     FamilyFit& one = fit.families.emplace_back(fit_given_order(*family, observed));
     if (options.bootstrap.trees > 0 && one.converged && !std::isnan(one.log_likelihood))
-      bootstrap_given_order(one, observed, options.bootstrap, options.threads, cancellation);
+      bootstrap_given_order(one, observed, options.bootstrap, options.workforce, cancellation);
   }
   rank(fit.families);
   return fit;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ramify/core/cancellation.hpp"
+#include "ramify/core/workforce.hpp"
 #include "ramify/family/observed_bi_orders.hpp"
 #include "ramify/fit/family_fit.hpp"
 #include "ramify/fit/tree_fit.hpp"
@@ -44,6 +45,6 @@ RamificationMatrix measured_matrix(const ObservedBiOrders& observed);
 /// Trees of the fitted model with roots of the orders observed, each fitted as those were, into fit.bootstrap
 /// and fit.goodness (bootstrap.hpp). Throws Interrupted.
 void bootstrap_given_order(FamilyFit& fit, const ObservedBiOrders& observed, const BootstrapPlan& plan,
-                           unsigned threads, const Cancellation& cancellation);
+                           const Workforce& workforce, const Cancellation& cancellation);
 
 }  // namespace ramify

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ramify/core/cancellation.hpp"
+#include "ramify/core/workforce.hpp"
 #include "ramify/family/observed_splits.hpp"
 #include "ramify/fit/bootstrap.hpp"
 #include "ramify/fit/nested_test.hpp"
@@ -16,12 +17,12 @@ namespace ramify {
 /// lack more) / (B + 1), and among equals the place is drawn. Throws Interrupted.
 /// Cost, a tree: growing, some 40 ns a node, and a fit without intervals.
 void bootstrap_tree_fit(FamilyFit& fit, const ObservedSplits& observed, const BootstrapPlan& plan,
-                        unsigned threads, const Cancellation& cancellation);
+                        const Workforce& workforce, const Cancellation& cancellation);
 
 /// Likelihood ratios of trees of a simpler family, those of its bootstrap, fitted with both families: what
-/// add_nested_test() takes. Throws Interrupted. Cost: as of a bootstrap.
+/// add_nested_test() takes; none in a process that only helps. Throws Interrupted. Cost: as of a bootstrap.
 std::vector<double> grown_ratios(const NestedPair& pair, const ObservedSplits& observed,
-                                 const BootstrapPlan& plan, unsigned threads,
+                                 const BootstrapPlan& plan, const Workforce& workforce,
                                  const Cancellation& cancellation);
 
 }  // namespace ramify

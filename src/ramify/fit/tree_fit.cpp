@@ -37,11 +37,11 @@ TreeFit fit_of(std::string name, const ObservedSplits& splits, std::span<const F
     FamilyFit& one =
         fit.families.emplace_back(fit_family(*family, tree_objective(*family, splits), splits.nodes()));
     if (options.bootstrap.trees > 0 && one.converged)
-      bootstrap_tree_fit(one, splits, options.bootstrap, options.threads, cancellation);
+      bootstrap_tree_fit(one, splits, options.bootstrap, options.workforce, cancellation);
   }
   if (options.bootstrap.trees > 0)
     for (const NestedPair& pair : nested_pairs(fit.families))
-      add_nested_test(pair, grown_ratios(pair, splits, options.bootstrap, options.threads, cancellation));
+      add_nested_test(pair, grown_ratios(pair, splits, options.bootstrap, options.workforce, cancellation));
   rank(fit.families);
   return fit;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ramify/core/cancellation.hpp"
+#include "ramify/core/workforce.hpp"
 #include "ramify/fit/bootstrap.hpp"
 #include "ramify/fit/family_fit.hpp"
 #include "ramify/tree/recorded_tree.hpp"
@@ -23,7 +24,7 @@ struct TreeFitOptions {
   bool pooled = false;
   /// tree_bootstrap.hpp; none where it has no trees.
   BootstrapPlan bootstrap{0, 1996};
-  unsigned threads = 1;  ///< decides the time alone
+  Workforce workforce = 1;  ///< decides the time alone
 };
 
 /// Which model's tree is it? Every family fitted to whole trees by the exact likelihood of their splits,

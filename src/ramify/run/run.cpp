@@ -75,15 +75,22 @@ std::optional<CheckedRun> grow(const Plan& plan, const fs::path& work, const Run
     observer.progress = [&, total = estimate_work(plan, 1).nodes](double done) {
       options.progress(done, total);
     };
-  if (!run_cells(plan, store, options.threads, cancellation, observer)) return std::nullopt;
-  return checked_cells(plan, book, options.threads, cancellation);
+  if (!run_cells(plan, store, options.workforce, cancellation, observer)) return std::nullopt;
+  return checked_cells(plan, book, options.workforce.threads, cancellation);
 }
 
 nlohmann::ordered_json provenance_of(const RunConfig& config, const RunOptions& options,
                                      const Provenance& process) {
-  return {{"program", "ramify"},          {"version", process.version}, {"schema", process.schema},
-          {"config", config.path},        {"config_text", config.text}, {"seed", config.seed},
-          {"compiler", process.compiler}, {"host", process.host},       {"threads", options.threads},
+  return {{"program", "ramify"},
+          {"version", process.version},
+          {"schema", process.schema},
+          {"config", config.path},
+          {"config_text", config.text},
+          {"seed", config.seed},
+          {"compiler", process.compiler},
+          {"host", process.host},
+          {"threads", options.workforce.threads},
+          {"processes", options.workforce.processes()},
           {"started", process.started}};
 }
 
@@ -147,6 +154,11 @@ RunOutcome run_experiment(const RunConfig& config, const RunOptions& options,
   work_folder.move_into_place();
   outcome.folder = options.folder;
   return outcome;
+}
+
+void help_run_experiment(const RunConfig& config, const Workforce& workforce,
+                         const Cancellation& cancellation) {
+  help_run_cells(make_plan(config), workforce, cancellation);
 }
 
 }  // namespace ramify

@@ -7,6 +7,7 @@
 
 #include "ramify/config/run_config.hpp"
 #include "ramify/core/cancellation.hpp"
+#include "ramify/core/workforce.hpp"
 #include "ramify/run/model_looks.hpp"
 #include "ramify/run/run_tables.hpp"
 #include "ramify/run/work_folder.hpp"
@@ -15,7 +16,7 @@ namespace ramify {
 
 struct RunOptions {
   std::filesystem::path folder;  ///< of this run; made at the end, in one step, from "<folder>.incomplete"
-  unsigned threads = 1;
+  Workforce workforce = 1;
   KeptCells kept = KeptCells::refuse;  ///< of a stopped run; take_over: those of a finished run too
   std::function<void(double done, double total)> progress;  ///< nodes; may be empty
   /// A line: what is kept of an earlier run; may be empty.
@@ -41,5 +42,10 @@ struct RunOutcome {
 /// with a provenance that says so.
 RunOutcome run_experiment(const RunConfig& config, const RunOptions& options,
                           const Cancellation& cancellation);
+
+/// What the other processes of a team do in run_experiment: grow trees, and write nothing. Throws
+/// Interrupted.
+void help_run_experiment(const RunConfig& config, const Workforce& workforce,
+                         const Cancellation& cancellation);
 
 }  // namespace ramify

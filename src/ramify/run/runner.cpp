@@ -9,15 +9,45 @@
 namespace ramify {
 namespace {
 
+std::vector<GrowingJob> jobs_of(const Plan& plan) {
+  std::vector<GrowingJob> jobs;
+  for (const Cell& cell : plan.cells)
+    jobs.push_back({cell.model, cell.n, plan.seed, plan.method, 0, cell.replicates});
+  return jobs;
+}
+
+GrownBlock grown_block(const Plan& plan, const Block& block, const BlockTrees& trees) {
+  const Cell& cell = plan.cells[block.job];
+  CellAccumulator sums(plan.statistics, cell.model.largest_order(cell.n));
+  trees.each([&](std::uint64_t, const TreeMeasures& measures) { sums.add(measures); });
+  return {block, sums.sums()};
+}
+
+/// Of another process of the same build and plan.
+GrownBlock handed_over(const Bytes& bytes, const Plan& plan) {
+  if (auto grown = decode_block(bytes, plan)) return std::move(*grown);
+  throw Error("a block of another process cannot be read", "it arrived damaged",
+              "what was finished is kept: go on with --resume");
+}
+
+/// The blocks of a plan as work of a team; the process that leads says what it keeps them in.
+SharedBlockWork shared_growing(const Plan& plan) {
+  SharedBlockWork work;
+  for (const std::string& line : described(plan)) work.identity += line + '\n';
+  work.send = [&plan](const Block& block, const BlockTrees& trees) {
+    return encode(grown_block(plan, block, trees));
+  };
+  return work;
+}
+
 /// Puts the blocks together, as they come in, to cells. What is grown is kept.
 class Assembly {
  public:
   /// Reports the cells of which the store has everything.
   Assembly(const Plan& plan, BlockStore& store, const RunObserver& observer)
-      : plan_(plan), store_(store), observer_(observer) {
+      : plan_(plan), store_(store), observer_(observer), jobs_(jobs_of(plan)) {
     for (std::size_t c = 0; c < plan.cells.size(); ++c) {
       const Cell& cell = plan.cells[c];
-      jobs_.push_back({cell.model, cell.n, plan.seed, plan.method, 0, cell.replicates});
       grown_nodes_.push_back(GraftRule(cell.model, plan.method).grown_nodes(cell.n));
       cells_.emplace_back();
       take_kept(c);
@@ -97,20 +127,24 @@ class Assembly {
 
 }  // namespace
 
-bool run_cells(const Plan& plan, BlockStore& store, unsigned threads, const Cancellation& cancellation,
-               const RunObserver& observer) {
+bool run_cells(const Plan& plan, BlockStore& store, const Workforce& workforce,
+               const Cancellation& cancellation, const RunObserver& observer) {
   Assembly assembly(plan, store, observer);
+  SharedBlockWork work = shared_growing(plan);
+  work.keep = [&](const Block& block, const BlockTrees& trees) {
+    assembly.take(grown_block(plan, block, trees));
+  };
+  work.take = [&](const Block&, const Bytes& outcome) { assembly.take(handed_over(outcome, plan)); };
   try {
-    grow_blocks(assembly.jobs(), threads, cancellation, [&](const Block& block, const BlockTrees& trees) {
-      const Cell& cell = plan.cells[block.job];
-      CellAccumulator sums(plan.statistics, cell.model.largest_order(cell.n));
-      trees.each([&](std::uint64_t, const TreeMeasures& measures) { sums.add(measures); });
-      assembly.take({block, sums.sums()});
-    });
+    grow_blocks(assembly.jobs(), workforce, cancellation, work);
   } catch (const Interrupted&) {
     return false;  // blocks under way are lost
   }
   return true;
+}
+
+void help_run_cells(const Plan& plan, const Workforce& workforce, const Cancellation& cancellation) {
+  grow_blocks(jobs_of(plan), workforce, cancellation, shared_growing(plan));
 }
 
 }  // namespace ramify

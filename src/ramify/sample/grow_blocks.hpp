@@ -3,11 +3,13 @@
 #include <cstdint>
 #include <functional>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "ramify/core/cancellation.hpp"
 #include "ramify/core/error.hpp"
+#include "ramify/core/workforce.hpp"
 #include "ramify/sample/tree_sampler.hpp"
 
 namespace ramify {
@@ -38,9 +40,14 @@ struct Block {
   friend bool operator==(const Block&, const Block&) = default;
 };
 
-/// The blocks of a job: about a million grown nodes each, so that the last of them do not leave threads idle.
-/// They depend on the job alone.
+/// The blocks of a job: about a million grown nodes each, so that the last of them do not leave threads idle,
+/// and no more than 32,768 in all. They depend on the job alone.
 std::vector<Block> blocks_of(const GrowingJob& job, std::size_t job_number);
+
+/// The order in which jobs are begun: model by model, so that each one's tables are there once; of a model
+/// those first whose trees are larger than a block, the largest before all: begun last, one would be waited
+/// for.
+std::vector<std::size_t> order_of(const std::vector<GrowingJob>& jobs);
 
 /// The trees of a block, grown while they are looked at.
 class BlockTrees {
@@ -72,13 +79,26 @@ class BlockTrees {
 /// What is done with a block; several threads call it at once, each with a block of its own.
 using BlockWork = std::function<void(const Block& block, const BlockTrees& trees)>;
 
-/// The loop that grows trees: hands the blocks of all jobs that are not there yet, in their order, to the
-/// threads.
+/// What the processes of a team do with blocks (SharedWork).
+struct SharedBlockWork {
+  std::string identity;  ///< of jobs and statistics
+  BlockWork keep;
+  std::function<Bytes(const Block& block, const BlockTrees& trees)> send;
+  std::function<void(const Block& block, const Bytes& outcome)> take;
+};
+
+/// The loop that grows trees: hands the blocks of all jobs that are not there yet, in order_of() the jobs, to
+/// the threads of all processes.
 ///
 /// Every replicate has a stream of its own, so a tree depends on (seed, model, n, replicate, method) alone,
-/// whatever the threads and the blocks. What a model's trees are grafted from is computed when its first
-/// block begins, for the largest of its sizes, and dropped with its last: the tables of a grid of models
-/// would take gigabytes. Throws Interrupted when cancelled, and what `work` throws.
+/// whatever the threads, processes and blocks. What a model's trees are grafted from is computed when its
+/// first block begins, for the largest of its sizes, by each process for itself, and dropped when no thread
+/// works on the model: the tables of a grid of models would take gigabytes. Throws Interrupted when
+/// cancelled, and what `work` throws.
+void grow_blocks(const std::vector<GrowingJob>& jobs, const Workforce& workforce,
+                 const Cancellation& cancellation, const SharedBlockWork& work);
+
+/// The same by the threads of this process alone.
 /// @param threads  >= 1; that many run, however few the cores
 void grow_blocks(const std::vector<GrowingJob>& jobs, unsigned threads, const Cancellation& cancellation,
                  const BlockWork& work);

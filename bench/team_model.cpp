@@ -1,0 +1,177 @@
+// What many ranks do: the hand-out of src/ramify/ranks played event by event, with block costs that are
+// measured here.
+//   build/bench/bench/team_model configs/full/*.toml
+// Of each rank count: how long the configs take one after the other, the share of time in which threads have
+// nothing to do, messages a second, how busy rank 0 is with them. Costs: each cell's first block is grown,
+// its tables too; a block of the cell takes as long.
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <queue>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "ramify/config/run_config.hpp"
+#include "ramify/ranks/hand_out.hpp"
+#include "ramify/run/grown_block.hpp"
+#include "ramify/run/plan.hpp"
+
+namespace ramify::bench {
+namespace {
+
+// docs/cluster.md says where these two come from.
+constexpr double service = 30e-6;  // seconds of rank 0 for an outcome: message, decoding, store, answer
+constexpr double latency = 10e-6;  // of a message
+
+/// Of a block of a cell, in seconds.
+struct CellCost {
+  double tables;  ///< once a rank, where it has not those of the model yet
+  double block;
+  std::size_t model;  ///< cells of one number share tables
+};
+
+double seconds(const std::function<void()>& work) {
+  const auto begin = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+/// Both measured: tables are made, and the first block grown.
+CellCost cost_of(const GrowingJob& job, const Plan& plan, std::size_t model) {
+  const Cancellation never;
+  std::unique_ptr<TreeSampler> sampler;
+  CellCost cost{0, 0, model};
+  cost.tables = seconds([&] { sampler = make_tree_sampler({job.model, job.method, job.n, &never}); });
+  cost.block = seconds([&] {
+    CellAccumulator sums(plan.statistics, job.model.largest_order(job.n));
+    BlockTrees(job, blocks_of(job, 0).front(), *sampler, never)
+        .each([&](std::uint64_t, const TreeMeasures& measures) { sums.add(measures); });
+  });
+  return cost;
+}
+
+/// The blocks of a plan in the order in which they are handed out, with the cost of each.
+std::vector<CellCost> items_of(const Plan& plan, double trees_times) {
+  std::vector<GrowingJob> jobs;
+  for (const Cell& cell : plan.cells)
+    jobs.push_back({cell.model, cell.n, plan.seed, plan.method, 0,
+                    static_cast<std::uint64_t>(static_cast<double>(cell.replicates) * trees_times)});
+  std::vector<CellCost> items;
+  for (const std::size_t j : order_of(jobs)) {
+    const auto same = std::ranges::find(plan.cells, jobs[j].model, &Cell::model);
+    const CellCost cost = cost_of(jobs[j], plan, static_cast<std::size_t>(same - plan.cells.begin()));
+    items.insert(items.end(), blocks_of(jobs[j], j).size(), cost);
+  }
+  return items;
+}
+
+/// What became of a round.
+struct Round {
+  double time = 0, work = 0, busy = 0;  ///< seconds: in all, of all threads on blocks, of rank 0 on messages
+  std::size_t messages = 0;
+};
+
+/// Plays one round: ranks of one thread, each with a queue of what it was given; outcomes are served one by
+/// one.
+class Game {
+ public:
+  Game(const std::vector<CellCost>& items, std::size_t ranks)
+      : items_(items), hand_out_(items.size(), std::vector<unsigned>(ranks, 1)), ranks_(ranks) {}
+
+  Round play() {
+    for (std::size_t rank = 0; rank < ranks_.size(); ++rank) deal(rank, 0);
+    while (!arrivals_.empty()) {
+      const Arrival arrival = arrivals_.top();
+      arrivals_.pop();
+      free_at_ = std::max(free_at_, arrival.time) + service;
+      round_.busy += service;
+      round_.messages += 2;
+      hand_out_.done(arrival.rank);
+      deal(arrival.rank, free_at_ + latency);
+    }
+    round_.time = free_at_;
+    return round_;
+  }
+
+ private:
+  struct Arrival {
+    double time;
+    std::size_t rank;
+    bool operator>(const Arrival& other) const { return time > other.time; }
+  };
+  struct Rank {
+    double free_at = 0;
+    std::vector<bool> has_tables;
+  };
+
+  void deal(std::size_t rank, double now) {
+    for (const std::size_t place : hand_out_.next(rank)) {
+      Rank& one = ranks_[rank];
+      const CellCost& cost = items_[place];
+      double takes = cost.block;
+      if (one.has_tables.size() <= cost.model) one.has_tables.resize(cost.model + 1);
+      if (!one.has_tables[cost.model]) takes += cost.tables;
+      one.has_tables[cost.model] = true;
+      one.free_at = std::max(one.free_at, now) + takes;
+      round_.work += cost.block;
+      arrivals_.push({one.free_at + latency, rank});
+    }
+  }
+
+  const std::vector<CellCost>& items_;
+  HandOut hand_out_;
+  std::vector<Rank> ranks_;
+  std::priority_queue<Arrival, std::vector<Arrival>, std::greater<>> arrivals_;
+  double free_at_ = 0;
+  Round round_;
+};
+
+void play(const std::vector<std::vector<CellCost>>& configs) {
+  fmt::print("{:>6} {:>10} {:>8} {:>12} {:>12}\n", "ranks", "seconds", "idle", "messages/s", "rank 0 busy");
+  for (const std::size_t ranks : {1u, 2u, 10u, 100u, 1000u, 10000u}) {
+    Round all;
+    for (const auto& items : configs) {
+      const Round round = Game(items, ranks).play();
+      all.time += round.time;
+      all.work += round.work;
+      all.busy += round.busy;
+      all.messages += round.messages;
+    }
+    fmt::print("{:>6} {:>10.2f} {:>6.1f} % {:>12.0f} {:>10.1f} %\n", ranks, all.time,
+               100 * (1 - all.work / (all.time * static_cast<double>(ranks))),
+               static_cast<double>(all.messages) / all.time, 100 * all.busy / all.time);
+  }
+}
+
+void run(int argc, char** argv) {
+  double times = 1;
+  std::vector<std::vector<CellCost>> configs;
+  std::size_t blocks = 0;
+  double work = 0, longest = 0, tables = 0;
+  for (int i = 1; i < argc; ++i) {
+    const std::string argument = argv[i];
+    if (argument.starts_with("--times=")) {
+      times = std::atof(argument.c_str() + 8);
+      continue;
+    }
+    configs.push_back(items_of(make_plan(read_run_config(argument)), times));
+    blocks += configs.back().size();
+    for (const CellCost& item : configs.back()) {
+      work += item.block;
+      longest = std::max(longest, item.block);
+      tables = std::max(tables, item.tables);
+    }
+  }
+  fmt::print("{} configs, {} blocks, {:.0f} s of growing; longest block {:.2f} s, longest tables {:.2f} s\n",
+             configs.size(), blocks, work, longest, tables);
+  play(configs);
+}
+
+}  // namespace
+}  // namespace ramify::bench
+
+int main(int argc, char** argv) {
+  ramify::bench::run(argc, argv);
+  return 0;
+}
