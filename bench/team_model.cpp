@@ -5,11 +5,11 @@
 // nothing to do, messages a second, how busy rank 0 is with them. Costs: each cell's first block is grown,
 // its tables too; a block of the cell takes as long.
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
 #include <queue>
 #include <vector>
 
+#include "cpu_time.hpp"
 #include <fmt/format.h>
 
 #include "ramify/config/run_config.hpp"
@@ -31,19 +31,13 @@ struct CellCost {
   std::size_t model;  ///< cells of one number share tables
 };
 
-double seconds(const std::function<void()>& work) {
-  const auto begin = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
-
 /// Both measured: tables are made, and the first block grown.
 CellCost cost_of(const GrowingJob& job, const Plan& plan, std::size_t model) {
   const Cancellation never;
   std::unique_ptr<TreeSampler> sampler;
   CellCost cost{0, 0, model};
-  cost.tables = seconds([&] { sampler = make_tree_sampler({job.model, job.method, job.n, &never}); });
-  cost.block = seconds([&] {
+  cost.tables = cpu_seconds([&] { sampler = make_tree_sampler({job.model, job.method, job.n, &never}); });
+  cost.block = cpu_seconds([&] {
     CellAccumulator sums(plan.statistics, job.model.largest_order(job.n));
     BlockTrees(job, blocks_of(job, 0).front(), *sampler, never)
         .each([&](std::uint64_t, const TreeMeasures& measures) { sums.add(measures); });

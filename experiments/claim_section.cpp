@@ -44,7 +44,9 @@ PageSection controls_section(const std::vector<Verdict>& verdicts) {
   else
     section.blocks.emplace_back(PageTable{
         "Values put in the theory's place, held against the same interval by the same rule: with a rival "
-        "nothing may be reproduced. outside by: from the nearer end of the interval, also in its widths",
+        "nothing may be reproduced. outside by: from the nearer end of the interval, also in its widths. "
+        "power: how "
+        "often it is not reproduced; an interval without chance gives the same verdict every time",
         std::move(controls)});
   return section;
 }

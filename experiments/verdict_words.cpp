@@ -155,10 +155,11 @@ std::string how_reached(const Verdict& verdict) {
 }
 
 Table control_table(const std::vector<Verdict>& verdicts) {
-  Table table(
-      {"part", "in the theory's place", "which is", "value", "outside by", "in widths", "verdict then"});
+  Table table({"part", "in the theory's place", "which is", "value", "outside by", "in widths",
+               "verdict then", "power"});
   for (const Verdict& verdict : verdicts) {
     const Interval& interval = verdict.finding.basis.interval;
+    const bool has_chance = verdict.finding.basis.evidence == EvidenceKind::sampled;
     for (const auto& [role, name, value, statement] : controls_of(verdict.finding.statement)) {
       const double off = distance(interval, value);
       Row row;
@@ -167,7 +168,12 @@ Table control_table(const std::vector<Verdict>& verdicts) {
         row.significant(off / width, 3);
       else
         row.nothing();
-      row.text(to_string(judge(statement, interval)));
+      const Decision then = judge(statement, interval);
+      row.text(to_string(then));
+      if (has_chance)
+        row.nothing();
+      else
+        row.whole(then == Decision::reproduced ? 0 : 1);
       table.add(std::move(row));
     }
   }

@@ -73,10 +73,10 @@ TEST(VerdictWords, SayWhichSamplersWereNotCheckedAndWhichFailed) {
 // Every value is judged by the rule that judged the theory.
 TEST(VerdictWords, ControlsAreRivalsAndWhatHoldsInTheTheorysPlace) {
   EXPECT_EQ(write_csv(control_table({verdict_in({2.75, 3.25})})),
-            "part,in the theory's place,which is,value,outside by,in widths,verdict then\n"
-            "C20.1,one,rival,1,1.75,3.5,refuted\n"
-            "C20.1,two and a half,rival,2.5,0.25,0.5,refuted\n"
-            "C20.1,what holds,holds instead,3,0,0,reproduced\n");
+            "part,in the theory's place,which is,value,outside by,in widths,verdict then,power\n"
+            "C20.1,one,rival,1,1.75,3.5,refuted,1\n"
+            "C20.1,two and a half,rival,2.5,0.25,0.5,refuted,1\n"
+            "C20.1,what holds,holds instead,3,0,0,reproduced,0\n");
 }
 
 Reproduction one_claim() {
