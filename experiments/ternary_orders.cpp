@@ -168,14 +168,16 @@ class TernaryNodes {
  private:
   Kind root() const { return {n_, 1}; }
 
-  /// How often nodes of every kind are expected, largest first: children are found after their parents.
+  /// How often nodes of every kind are expected, largest first: the map grows behind the kind at hand.
   void find_kinds() {
     visits_[root()] = 1;
-    for (auto place = visits_.begin(); place != visits_.end(); ++place)
-      if (place->first.first > 0)
-        for_each_split(place->first, place->second, [&](const std::array<Kind, 3>& children, double weight) {
-          for (const Kind& child : children) visits_[child] += place->second * weight;
-        });
+    for (const auto& [kind, times] : visits_) {
+      const double visits = times;
+      if (kind.first == 0) continue;
+      for_each_split(kind, visits, [&](const std::array<Kind, 3>& children, double weight) {
+        for (const Kind& child : children) visits_[child] += visits * weight;
+      });
+    }
   }
 
   template <class Use>
