@@ -26,19 +26,11 @@ std::vector<NamedValue> rival_depths(const Model& model) {
           {"1/log(1/min(EX,1-EX)), down the smaller side", -1 / std::log(std::min(p, 1 - p))}};
 }
 
-/// The shapes of which trees are taken, and the rest of the table of the catalogue.
 std::vector<ClaimPart> depth_parts(const GrowthLaw& law) {
-  const std::vector<const char*> sampled{"bst", "beta(10,10)", "beta(10,80)", "patricia(0.23)"};
-  std::vector<GrowthCase> cases;
-  for (const auto& models :
-       {sampled, {"beta(0.1,0.1)", "beta(0.5,0.5)", "beta(2,2)", "beta(100,100)", "beta(1,5)", "beta(2,8)"}})
-    for (const char* model : models)
-      cases.push_back(
-          {Model::parse(model),
-           {&statistic::depth, GrowthLadder::Rungs::means, GrowthLadder::Approach::settles, 1e12}});
-  auto parts = growth_parts("C6", law, cases);
-  for (std::size_t i = sampled.size(); i < parts.size(); ++i)
-    parts[i] = part_without_trees(parts[i].statement, parts[i].basis);
+  constexpr double largest = 1e12;
+  auto parts = growth_parts_with_grid(
+      "C6", law, {"bst", "beta(10,10)", "beta(10,80)", "patricia(0.23)"},
+      {&statistic::depth, GrowthLadder::Rungs::means, GrowthLadder::Approach::settles, largest}, largest);
   std::ranges::move(depth_range_parts(parts.size() + 1), std::back_inserter(parts));
   return parts;
 }

@@ -22,27 +22,21 @@ std::vector<NamedValue> rival_heights(const Model& model) {
           {"2/mu, twice the depth", 2 * depth_constant(model).value().value}};
 }
 
-std::vector<GrowthCase> height_cases() {
-  std::vector<GrowthCase> cases;
-  for (const char* model : {"bst", "beta(10,10)", "beta(10,80)"})
-    cases.push_back(
-        {Model::parse(model),
-         {&statistic::height, GrowthLadder::Rungs::medians, GrowthLadder::Approach::drifts, 1e100}});
-  return cases;
-}
-
 }  // namespace
 
 Claim height_claim() {
   const GrowthLaw law{"K96 Theorem 2.2; DK95 Theorem 2", "H_n ~ gamma log(n)",
                       "nodes on the longest path, root and external node counted", height_constant,
                       rival_heights};
-  return growth_claim({"C7",
-                       "H_n/log n -> gamma: height of a random split tree",
-                       law.source,
-                       growth_parts("C7", law, height_cases()),
-                       {}},
-                      {"C7_height", "Height", "mean H_n (nodes)"});
+  return growth_claim(
+      {"C7",
+       "H_n/log n -> gamma: height of a random split tree",
+       law.source,
+       growth_parts_with_grid(
+           "C7", law, {"bst", "beta(10,10)", "beta(10,80)"},
+           {&statistic::height, GrowthLadder::Rungs::medians, GrowthLadder::Approach::drifts, 1e100}, 1e50),
+       {}},
+      {"C7_height", "Height", "mean H_n (nodes)"});
 }
 
 }  // namespace ramify

@@ -4,7 +4,9 @@
 //
 // left = floor(nX) lies less than 1 below nX, so the exact law of left at one n bounds both: E X lies within
 // 1/n above E left/n, and the deviation of X within 1/(2n) of that of left/n.
+#include <array>
 #include <cmath>
+#include <numeric>
 #include <variant>
 
 #include "claim.hpp"
@@ -17,6 +19,7 @@
 namespace ramify {
 namespace {
 
+constexpr std::array moment_models{"beta(10,80)", "beta(1,5)", "beta(0.3,3)"};
 constexpr Size split_size = 1 << 14;
 constexpr double law_error = 1e-9;  // relative, of the split laws (tests/exact/split_law_test.cpp)
 
@@ -25,9 +28,13 @@ struct LeftSize {
   double mean, deviation;
 };
 
-LeftSize left_size(const Model& model, Size n) {
+WeightWindow split_window(const Model& model, Size n) {
   constexpr double cutoff = 1e-30;
-  const WeightWindow window = std::visit([n](const auto& law) { return law.window(n, cutoff); }, model.law());
+  return std::visit([n](const auto& law) { return law.window(n, cutoff); }, model.law());
+}
+
+LeftSize left_size(const Model& model, Size n) {
+  const WeightWindow window = split_window(model, n);
   double total = 0, sum = 0, squares = 0;
   const auto at = [&](std::size_t m) { return static_cast<double>(window.first + m); };
   for (std::size_t m = 0; m < window.weights.size(); ++m) {
@@ -101,15 +108,43 @@ ClaimPart binomial_part(std::string part, bool is_mean) {
   });
 }
 
+/// The density of the share of the left subtree by the exact law; its mean up to the curve.
+PlotSeries split_density(const Model& model) {
+  constexpr double least = 0.01;  // that is drawn
+  constexpr Size step = split_size / 256;
+  constexpr auto n = static_cast<double>(split_size);
+  const WeightWindow window = split_window(model, split_size);
+  const double total = std::accumulate(window.weights.begin(), window.weights.end(), 0.0);
+  const auto density = [&](std::size_t place) { return n * window.weights[place] / total; };
+  PlotSeries series{model.text()};
+  for (std::size_t place = step; place < window.weights.size(); place += step)
+    if (density(place) >= least)
+      series.curve.push_back({static_cast<double>(window.first + place) / n, density(place)});
+  const double mean = split_mean(model).value().value;
+  series.guide = {{mean, least}, {mean, density(static_cast<Size>(mean * n) - window.first)}};
+  return series;
+}
+
+std::vector<NamedPlot> split_densities(const Evidence&) {
+  Plot plot{"Split laws of three beta trees",
+            "exact at n = 16384; dashed: the mean a/(a+b)",
+            "share of the left subtree",
+            "density",
+            false,
+            true};
+  for (const char* text : moment_models) plot.series.push_back(split_density(Model::parse(text)));
+  return {{"C8_splits", std::move(plot)}};
+}
+
 }  // namespace
 
 Claim split_moments_claim() {
   std::vector<ClaimPart> parts;
   const auto next = [&] { return fmt::format("C8.{}", parts.size() + 1); };
-  for (const char* text : {"beta(10,80)", "beta(1,5)", "beta(0.3,3)"})
+  for (const char* text : moment_models)
     for (const bool is_mean : {true, false}) parts.push_back(beta_part(next(), Model::parse(text), is_mean));
   for (const bool is_mean : {true, false}) parts.push_back(binomial_part(next(), is_mean));
-  return {"C8", "mean and variance of the split", "K96 2.5.3, 2.5.5", parts, {}};
+  return {"C8", "mean and variance of the split", "K96 2.5.3, 2.5.5", parts, {}, split_densities};
 }
 
 }  // namespace ramify

@@ -29,18 +29,30 @@ double log_no_single(double n, double level) {
   return std::log(std::exp(-log_mean) + 2 * std::exp2(-level));
 }
 
-/// (F_n - log2 n)/log2 log n at n = 10^300 but for a chance of 1/500.
+/// The least and the largest F_n but for a chance of 1/500.
+Interval fair_levels_left(double n) {
+  constexpr double chance = 1e-3;
+  Interval levels{0, 0};
+  while (log_empty_cell(n, levels.lower + 1) <= std::log(chance)) ++levels.lower;
+  while (log_no_single(n, levels.upper) > std::log(chance)) ++levels.upper;
+  return levels;
+}
+
+/// (F_n - log2 n)/log2 log n
+double scaled_level(double level, double n) {
+  return (level - std::log2(n)) / std::log2(std::log(n));
+}
+
+/// That at n = 10^300.
 Basis between_cell_bounds() {
-  constexpr double n = 1e300, chance = 1e-3;
-  double full = 0, least = 0;
-  while (log_empty_cell(n, full + 1) <= std::log(chance)) ++full;
-  while (log_no_single(n, least) > std::log(chance)) ++least;
-  const auto scaled = [](double level) { return (level - std::log2(n)) / std::log2(std::log(n)); };
+  constexpr double n = 1e300;
+  const auto [full, least] = fair_levels_left(n);
+  const double lower = scaled_level(full, n), upper = scaled_level(least, n);
   return {
       EvidenceKind::limit,
       Standing::proved,
-      (scaled(full) + scaled(least)) / 2,
-      {scaled(full), scaled(least)},
+      (lower + upper) / 2,
+      {lower, upper},
       n,
       fmt::format("{} <= F_n <= {} at n = {:g} but for a chance of 2/1000, by the cells of a level that are "
                   "empty and those of one string; both bounds are log2 n - log2 log n + O(1)",
@@ -110,6 +122,24 @@ Statement fair_fill_bounds() {
           std::nullopt};
 }
 
+/// Its two bounds close in on -1, and leave the rival behind.
+std::vector<NamedPlot> fair_levels_closing_in(const Evidence&) {
+  Plot plot{"Fill level of fair PATRICIA trees",
+            "bars: what two bounds leave of F_n but for a chance of 1/500; dashed: claim and rival",
+            "log10 of n", "(F_n - log2 n) / log2 log n"};
+  PlotSeries bounds{"claimed: -1"}, rival{"were log log n to the base e: -0.69"};
+  for (double power = 10; power <= 300; power += 10) {
+    const double n = std::pow(10.0, power);
+    const auto [full, least] = fair_levels_left(n);
+    const double lower = scaled_level(full, n), upper = scaled_level(least, n);
+    bounds.points.push_back({power, (lower + upper) / 2, (upper - lower) / 2});
+    bounds.guide.push_back({power, -1});
+    rival.guide.push_back({power, -std::log(2.0)});
+  }
+  plot.series = {std::move(bounds), std::move(rival)};
+  return {{"C15_fair_fill", std::move(plot)}};
+}
+
 }  // namespace
 
 Claim fair_fill_claim() {
@@ -120,7 +150,8 @@ Claim fair_fill_claim() {
            part_without_trees(
                fair_fill_bounds(),
                [](const Evidence& evidence) { return worst_of_cell_bounds(evidence.cancellation); })},
-          {}};
+          {},
+          fair_levels_closing_in};
 }
 
 }  // namespace ramify

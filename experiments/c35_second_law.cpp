@@ -7,10 +7,16 @@
 //   C35.3  The printed radius of order S, (D_17/2) 1.40^S, is D_17/2 at S = 17: false (X1), the exponent is S
 //   - 17. C35.4  3*10^8 alveoli of a tree of 17 orders with R_B = 2.74: false (X3). C35.5  They are those of
 //   the artery, 3.39^16.
+//   C35.6  The expected diameter of order k is c_D^k, "c_D the diameter of an order one segment": false (X2),
+//   it is c_D R_D^(k-1), and c_D^k has no unit of length.
+// From C35.7 on vessels that were measured order by order (c35_measured.cpp).
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "claim.hpp"
 #include "lung.hpp"
+#include "measured_lung.hpp"
 #include <fmt/format.h>
 
 namespace ramify {
@@ -41,6 +47,18 @@ Basis power_of(const Printed& ratio, int steps) {
                     fmt::format("{}^{}", ratio.value, steps));
 }
 
+/// log10(c_D^17/D_17) with c_D = D_1 = D_17/R_D^16.
+Basis printed_diameter(const LungTree& tree) {
+  const auto log_ratio = [](double largest, double ratio) {
+    return lung_orders * (std::log10(largest) - (lung_orders - 1) * std::log10(ratio)) - std::log10(largest);
+  };
+  const Interval largest = tree.largest_cm.interval(), ratios = tree.diameter.interval();
+  return of_printed(log_ratio(tree.largest_cm.value, tree.diameter.value),
+                    log_ratio(largest.lower, ratios.upper), log_ratio(largest.upper, ratios.lower),
+                    fmt::format("{0} (log10 {1} - {2} log10 {3}) - log10 {1}", lung_orders,
+                                tree.largest_cm.value, lung_orders - 1, tree.diameter.value));
+}
+
 Statement of_lung(int part, std::string text, std::string conventions, std::string formula, double theory) {
   return {fmt::format("C35.{}", part),
           std::move(text),
@@ -68,11 +86,18 @@ std::vector<ClaimPart> second_law_parts() {
   const auto without_trees = [](Statement statement, auto basis) {
     return part_without_trees(std::move(statement), [basis](const Evidence&) { return basis(); });
   };
-  return {without_trees(bronchial, [] { return murray_exponent_of(bronchial_tree); }),
-          without_trees(artery, [] { return murray_exponent_of(pulmonary_artery); }),
-          without_trees(radius, [] { return power_of(bronchial_tree.diameter, lung_orders); }),
-          without_trees(few, [] { return power_of(bronchial_tree.bifurcation, lung_orders - 1); }),
-          without_trees(many, [] { return power_of(pulmonary_artery.bifurcation, lung_orders - 1); })};
+  const Statement diameter =
+      of_lung(6, "log10 of c_D^17/D_17 is 0, c_D = D_1 in cm: the second law as printed, bronchial tree",
+              "order 1 at the alveoli", "0", 0);
+  std::vector<ClaimPart> parts{
+      without_trees(bronchial, [] { return murray_exponent_of(bronchial_tree); }),
+      without_trees(artery, [] { return murray_exponent_of(pulmonary_artery); }),
+      without_trees(radius, [] { return power_of(bronchial_tree.diameter, lung_orders); }),
+      without_trees(few, [] { return power_of(bronchial_tree.bifurcation, lung_orders - 1); }),
+      without_trees(many, [] { return power_of(pulmonary_artery.bifurcation, lung_orders - 1); }),
+      without_trees(diameter, [] { return printed_diameter(bronchial_tree); })};
+  std::ranges::move(measured_second_law_parts(parts.size() + 1), std::back_inserter(parts));
+  return parts;
 }
 
 }  // namespace

@@ -75,6 +75,19 @@ std::vector<ClaimPart> growth_parts(std::string_view claim, const GrowthLaw& law
   return parts;
 }
 
+std::vector<ClaimPart> growth_parts_with_grid(std::string_view claim, const GrowthLaw& law,
+                                              const std::vector<const char*>& sampled, GrowthLadder ladder,
+                                              double largest_of_grid) {
+  std::vector<GrowthCase> cases;
+  for (const char* model : sampled) cases.push_back({Model::parse(model), ladder});
+  ladder.largest_n = largest_of_grid;
+  for (const char* model : beta_grid) cases.push_back({Model::parse(model), ladder});
+  auto parts = growth_parts(claim, law, cases);
+  for (std::size_t i = sampled.size(); i < parts.size(); ++i)
+    parts[i] = part_without_trees(parts[i].statement, parts[i].basis);
+  return parts;
+}
+
 std::vector<PlotPoint> sampled_means(const ModelCells& model, const StatisticColumn& column) {
   std::vector<PlotPoint> means;
   for (const auto& cell : model.cells) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <string_view>
@@ -28,9 +29,20 @@ struct GrowthCase {
   GrowthLadder ladder;
 };
 
+/// The rest of the table of the catalogue, beside the splits of which trees are taken.
+inline constexpr std::array beta_grid{"beta(0.1,0.1)", "beta(0.5,0.5)", "beta(2,2)",
+                                      "beta(100,100)", "beta(1,5)",     "beta(2,8)"};
+
 /// Parts C6.1, C6.2, ..., one for each case.
 std::vector<ClaimPart> growth_parts(std::string_view claim, const GrowthLaw& law,
                                     const std::vector<GrowthCase>& cases);
+
+/// The same, of one ladder: trees are taken of the models that are sampled, beta_grid is judged by laws
+/// alone.
+/// @param largest_of_grid  the ladder's largest n there
+std::vector<ClaimPart> growth_parts_with_grid(std::string_view claim, const GrowthLaw& law,
+                                              const std::vector<const char*>& sampled, GrowthLadder ladder,
+                                              double largest_of_grid);
 
 /// Its basis is the limit of that ladder.
 std::function<Basis(const Evidence&)> growth_basis(const GrowthCase& growth);

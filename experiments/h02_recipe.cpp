@@ -5,12 +5,14 @@
 // the order grows the ratios go to 1/p, slowly. What a tree of the thesis' sizes then has is known by its
 // law: the mean of the ratio that is regressed on all orders, and how it scatters from tree to tree. The
 // apple, 4.35 of 579 branches, is out of reach of p = 1/4.35; the lung, 2.74, comes out because h/(pq)
-// is 2.83 there.
+// is 2.83 there. Of the ternary trees of white fir and sugar maple: h02_ternary.cpp.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <vector>
 
 #include "law_pictures.hpp"
+#include "ternary_recipe.hpp"
 #include <fmt/format.h>
 
 #include "ramify/compare/interval.hpp"
@@ -153,7 +155,8 @@ std::vector<NamedPlot> ratios_of_recipes(const Evidence& evidence) {
                         "expected counts at n = 10^12; dashed: R = 1/p",
                         {expected_streams(of_apple, apple_ratio, evidence.cancellation),
                          expected_streams(of_lung, lung_ratio, evidence.cancellation),
-                         {"patricia(1/4.35), n = 579", std::move(small)}})};
+                         {"patricia(1/4.35), n = 579", std::move(small)}}),
+          ternary_recipe_picture(evidence.cancellation)};
 }
 
 struct RecipeCase {
@@ -182,6 +185,7 @@ Claim recipe_claim() {
         ratio_of_recipe(parts.size() + 1, species, ratio, n), [ratio, n](const Evidence& evidence) {
           return ratio_of_one_tree(patricia_of_ratio(ratio), n, evidence.cancellation);
         }));
+  std::ranges::move(ternary_recipe_parts(parts.size() + 1), std::back_inserter(parts));
   return {"H2",
           "p = 1/R: a PATRICIA tree of p = 1/R has the bifurcation ratio R",
           "K96 3.1.5, 3.2.2",

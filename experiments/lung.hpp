@@ -18,9 +18,10 @@ struct Printed {
 /// holds them against it).
 struct LungTree {
   Printed bifurcation, diameter;  ///< ratios from order to order
+  Printed largest_cm;             ///< mean diameter of order 17
 };
-inline constexpr LungTree bronchial_tree{{2.74}, {1.40}};
-inline constexpr LungTree pulmonary_artery{{3.39}, {1.71}};
+inline constexpr LungTree bronchial_tree{{2.74}, {1.40}, {1.61}};
+inline constexpr LungTree pulmonary_artery{{3.39}, {1.71}, {1.86}};
 inline constexpr int lung_orders = 17;
 
 }  // namespace ramify

@@ -10,6 +10,7 @@
 
 #include "ledger.hpp"
 #include "lung.hpp"
+#include "measured_lung.hpp"
 #include "served_configs.hpp"
 #include "support/columns.hpp"
 #include "support/error_of.hpp"
@@ -191,7 +192,42 @@ TEST(Claims, HaveTheLungAsItsTablePrintsIt) {
     EXPECT_EQ(lung.real(row, "ratio"), tree.bifurcation.value);
     EXPECT_EQ(lung.real(row, "diameter_ratio"), tree.diameter.value);
     EXPECT_EQ(lung.count(row, "max_order_high"), lung_orders);
+    EXPECT_NEAR(lung.real(row, "root_diameter_mm"), 10 * tree.largest_cm.value, 1e-12);
   }
+}
+
+void expect_table(std::span<const VesselOrder> vessels, const char* file) {
+  const CsvData table = CsvData::read(fmt::format("{}/data/{}.csv", RAMIFY_SOURCE_DIR, file));
+  ASSERT_EQ(table.rows(), vessels.size());
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    EXPECT_EQ(table.real(row, "order"), vessels[row].order) << file;
+    EXPECT_EQ(table.real(row, "count"), vessels[row].count) << file;
+    EXPECT_EQ(table.real(row, "length"), vessels[row].length) << file;
+    if (table.at(row, "diameter").empty())
+      EXPECT_TRUE(std::isnan(vessels[row].diameter)) << file;
+    else
+      EXPECT_EQ(table.real(row, "diameter"), vessels[row].diameter) << file;
+  }
+}
+
+TEST(MeasuredLung, IsTheTablesOfTheData) {
+  expect_table(measured_artery, "pulmonary_artery");
+  expect_table(measured_vein, "pulmonary_vein");
+}
+
+// By hand: 1, 2, 4, 8 at 0..3 have the slope 2.3 and the residuals 0.7, -0.6, -0.9, 0.8; the parabola is
+// 2x^2 - x + 5.
+TEST(LeadingCoefficient, IsThatOfLeastSquares) {
+  const std::vector<double> x{0, 1, 2, 3}, y{1, 2, 4, 8}, parabola{5, 6, 11, 20};
+  const FittedCoefficient line = leading_coefficient(x, y, 1);
+  EXPECT_NEAR(line.value, 2.3, 1e-14);
+  EXPECT_NEAR(line.standard_error, std::sqrt(2.3 / 2 / 5), 1e-14);
+  EXPECT_EQ(line.degrees, 2);
+  const FittedCoefficient curved = leading_coefficient(x, parabola, 2);
+  EXPECT_NEAR(curved.value, 2, 1e-13);
+  EXPECT_NEAR(curved.standard_error, 0, 1e-13);
+  const Interval interval = line.interval(0.05);  // t = 4.302652730 of two degrees
+  EXPECT_NEAR(interval.upper - line.value, 4.302652730 * line.standard_error, 1e-8);
 }
 
 /// Three verdicts, the second refuted.

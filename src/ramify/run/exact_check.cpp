@@ -6,27 +6,59 @@
 #include <map>
 #include <string_view>
 
+#include "ramify/compare/clumped_count.hpp"
 #include "ramify/config/size_grid.hpp"
 #include "ramify/core/error.hpp"
 #include "ramify/core/parallel.hpp"
 #include "ramify/large/finite_means.hpp"
+#include "ramify/statistic/registry.hpp"
 
 namespace ramify {
 namespace {
 
 /// A sample of T trees cannot tell an event of probability below 1/T from none, so no error is taken below
 /// 1/T.
-double standard_error(const ColumnSummary& column, const Moments& exact) {
+double standard_error(const ColumnSummary& column, double variance) {
   const double count = static_cast<double>(column.trees);
-  const double variance = std::isnan(exact.variance) ? column.variance : exact.variance;
   return std::max(std::sqrt(variance / count), 1 / count);
+}
+
+/// The variance of a count of which only the mean is known: that of the sample; where the sample has few
+/// streams of the order that of streams with geometric numbers of nodes, if it is larger. A sample that has
+/// none does not know it.
+double unknown_variance(const OrderCount& count, const ColumnSummary& column, double mean, Size n,
+                        const FiniteMeans& laws) {
+  constexpr double enough_streams = 100;
+  const auto streams = laws.moments({statistic::streams, OrderPlace{count.order, 0}}, n);
+  if (!streams || static_cast<double>(column.trees) * streams->mean >= enough_streams) return column.variance;
+  const double nodes_of_each =
+      count.of == OrderCount::Of::nodes && streams->mean > 0 ? mean / streams->mean : 1;
+  return std::max(column.variance, mean * std::max(1.0, 2 * nodes_of_each - 1));
+}
+
+/// How far a count lies off; a normal variate only where the trees have enough of it.
+double count_z(const OrderCount& count, const ColumnSummary& column, const Moments& exact, Size n,
+               const FiniteMeans& laws) {
+  const double trees = static_cast<double>(column.trees), mean = trees * exact.mean;
+  const bool known = !std::isnan(exact.variance);
+  // A whole number that is there with chance m has the variance m(1-m) at least, whatever rounding leaves.
+  const double variance =
+      trees * std::max(exact.mean * (1 - exact.mean),
+                       known ? exact.variance : unknown_variance(count, column, exact.mean, n, laws));
+  if (mean * mean <= largest_clump_ratio * variance)
+    return clumped_count_z(std::round(trees * column.mean), mean, variance);
+  return (column.mean - exact.mean) / standard_error(column, known ? exact.variance : column.variance);
 }
 
 std::optional<ExactCheck> check(const ColumnSummary& column, const CellResult& cell,
                                 const FiniteMeans& laws) {
   const auto exact = laws.moments(column.column, cell.n);
   if (!exact) return std::nullopt;
-  return ExactCheck{exact->mean, (column.mean - exact->mean) / standard_error(column, *exact)};
+  if (const auto* count = std::get_if<CountOfOrder>(&column.column.statistic->law.recurrence))
+    return ExactCheck{exact->mean,
+                      count_z(count->at(column.column.place.high), column, *exact, cell.n, laws)};
+  const double variance = std::isnan(exact->variance) ? column.variance : exact->variance;
+  return ExactCheck{exact->mean, (column.mean - exact->mean) / standard_error(column, variance)};
 }
 
 /// The cells of every model, models by name.

@@ -11,7 +11,8 @@
 namespace ramify {
 
 /// The exact value beside a sampled mean, where a law is in reach: the mean, and how many standard errors the
-/// sample lies off.
+/// sample lies off; of counts that few trees have what a normal variate as rare would
+/// (compare/clumped_count.hpp).
 struct ExactCheck {
   double exact_mean;
   double z;
