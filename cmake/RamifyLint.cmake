@@ -3,7 +3,7 @@
 set(groups
   "core optimise text random tree format"
   "model estimate statistic law"
-  "large sample theory accumulate compare"
+  "large sample theory accumulate compare shape"
   "config io page report draw measure run"
   "family tabulate design fit horton dossier"
   "experiments"
