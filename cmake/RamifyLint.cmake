@@ -5,7 +5,7 @@ set(groups
   "model estimate statistic law"
   "large sample theory accumulate compare shape"
   "config io page report draw measure run"
-  "family tabulate design fit horton dossier"
+  "family tabulate gallery design fit horton dossier"
   "experiments"
   "cli")
 

@@ -3,30 +3,24 @@
 #include <string_view>
 #include <vector>
 
-#include "ramify/core/find_named.hpp"
 #include "ramify/shape/place_limbs.hpp"
 
 namespace ramify::test {
 
-template <class Rule>
-Rule made_rule(const std::vector<RuleInfo<Rule>>& all, std::string_view name, std::vector<double> constants) {
-  return find_named(all, &RuleInfo<Rule>::name, name, "rule").make(constants);
+inline ExtentRule extent(std::string_view name, const std::vector<double>& constants) {
+  return named_rule(extent_rules(), name, constants);
 }
 
-inline ExtentRule extent(std::string_view name, std::vector<double> constants) {
-  return made_rule(extent_rules(), name, std::move(constants));
+inline DeviationRule deviation(std::string_view name, const std::vector<double>& constants) {
+  return named_rule(deviation_rules(), name, constants);
 }
 
-inline DeviationRule deviation(std::string_view name, std::vector<double> constants) {
-  return made_rule(deviation_rules(), name, std::move(constants));
+inline PlaneRule plane(std::string_view name, const std::vector<double>& constants) {
+  return named_rule(plane_rules(), name, constants);
 }
 
-inline PlaneRule plane(std::string_view name, std::vector<double> constants) {
-  return made_rule(plane_rules(), name, std::move(constants));
-}
-
-inline Tropism tropism(std::string_view name, std::vector<double> constants) {
-  return made_rule(tropism_rules(), name, std::move(constants));
+inline Tropism tropism(std::string_view name, const std::vector<double>& constants) {
+  return named_rule(tropism_rules(), name, constants);
 }
 
 /// The form of a tree; what is random comes from one fixed stream.

@@ -287,7 +287,7 @@ TEST(HTree, TipsFillTheirRectangle) {
 ShapeRules pythagoras(double first, double second, double flip) {
   ShapeRules rules{extent("legs", {0.5, first, second, flip}), extent("radius_power", {2, 1}),
                    deviation("triangle", {first, second, flip})};
-  rules.joint = Joint::legs;
+  rules.joint = BranchJoint::legs;
   rules.main = MainChild::first;
   return rules;
 }
@@ -369,16 +369,18 @@ TEST(DeviationRule, BySizeAndOrderByHand) {
   expect(angles("falling", {5, 110, 20}), {70, 5, 5, 50}, "falling");
 }
 
-TEST(DeviationRule, TheFirsMainBranchLiesBetweenTheOthers) {
-  ShapeRules rules = sticks(deviation("radius_gap", {90}));
-  rules.radius = extent("leaves_power", {1, 3});
+TEST(DeviationRule, TheFirsMainBranchGoesStraightOnBetweenTheOthers) {
   const Tree tree({3, 0, 2, 2, 0, 0, 0, 0});  // leaves 1, 3, 1
-  const Shape shape = placed(tree, rules);
-  const double main = 90 * (1 - std::cbrt(3.0 / 5)), other = 90 * (1 - std::cbrt(1.0 / 5));
-  EXPECT_NEAR(angle_between(shape.limbs[0], shape.limbs[2]), main, 1e-9);
-  EXPECT_NEAR(angle_between(shape.limbs[0], shape.limbs[1]), other, 1e-9);
-  EXPECT_NEAR(angle_between(shape.limbs[0], shape.limbs[7]), other, 1e-9);
-  EXPECT_NEAR(angle_between(shape.limbs[1], shape.limbs[7]), 2 * other, 1e-9);  // in one plane, on both sides
+  const double other = 90 * (1 - std::cbrt(1.0 / 5));
+  for (const double main : {0.0, 1.0}) {  // the fir, and the maple, whose rule is of all three (X69)
+    ShapeRules rules = sticks(deviation("radius_gap", {90, main}));
+    rules.radius = extent("leaves_power", {1, 3});
+    const Shape shape = placed(tree, rules);
+    EXPECT_NEAR(angle_between(shape.limbs[0], shape.limbs[2]), main * 90 * (1 - std::cbrt(3.0 / 5)), 1e-6);
+    EXPECT_NEAR(angle_between(shape.limbs[0], shape.limbs[1]), other, 1e-9);
+    EXPECT_NEAR(angle_between(shape.limbs[0], shape.limbs[7]), other, 1e-9);
+    EXPECT_NEAR(angle_between(shape.limbs[1], shape.limbs[7]), 2 * other, 1e-9);  // in one plane
+  }
 }
 
 TEST(Arrangement, AWhorlIsSpreadEvenly) {

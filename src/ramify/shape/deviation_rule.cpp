@@ -94,8 +94,9 @@ DeviationRule murray(Numbers) {
 }
 
 DeviationRule radius_gap(Numbers c) {
-  return [c = c[0]](const Fork& fork, std::size_t child) {
-    return c * (fork.mother.radius - radius_of(fork.children[child])) / fork.mother.radius;
+  return [c = c[0], main = c[1]](const Fork& fork, std::size_t child) {
+    const NodeFacts& node = fork.children[child];
+    return (node.is_main ? main * c : c) * (fork.mother.radius - node.radius) / fork.mother.radius;
   };
 }
 
@@ -133,22 +134,6 @@ DeviationRule falling(Numbers c) {
   };
 }
 
-/// The closed forms of catalogue E15 in tau from 0 at the foot to 1 at the top; `peak` is of the fifth.
-double level_share(int category, double tau, double peak) {
-  switch (category) {
-    case 1:
-      return 1 - tau;
-    case 2:
-      return 1 - tau * tau;
-    case 3:
-      return (1 - tau) * (1 - tau);
-    case 4:
-      return 1 - tau * tau * (3 - 2 * tau);
-    default:
-      return 1 - std::pow((tau - peak) / (1 - peak), 2);
-  }
-}
-
 DeviationRule by_level(Numbers c) {
   return [category = static_cast<int>(c[0]), main = c[1], highest = c[2], lowest = c[3], levels = c[4],
           peak = c[5]](const Fork& fork, std::size_t child) {
@@ -172,6 +157,21 @@ DeviationRule triangle_angles(Numbers c) {
 }
 
 }  // namespace
+
+double level_share(int category, double tau, double peak) {
+  switch (category) {
+    case 1:
+      return 1 - tau;
+    case 2:
+      return 1 - tau * tau;
+    case 3:
+      return (1 - tau) * (1 - tau);
+    case 4:
+      return 1 - tau * tau * (3 - 2 * tau);
+    default:
+      return 1 - std::pow((tau - peak) / (1 - peak), 2);
+  }
+}
 
 double murray_angle(double mother, double child, double sibling) {
   const double m = mother * mother, c = child * child, s = sibling * sibling;
@@ -215,7 +215,11 @@ const std::vector<RuleInfo<DeviationRule>>& deviation_rules() {
        "angle times the siblings' part of all nodes below the fork",
        "E18 with X9; Devroye and Kruszewski 1995, Figure 4",
        nodes_share},
-      {"radius_gap", {angle}, "angle (R - r)/R", "E23, E24; Kruszewski 1996, 3.3.3", radius_gap},
+      {"radius_gap",
+       {angle, {"main", 0, 1, 1}},
+       "angle (R - r)/R, of the main child main times that: 0 or 1",
+       "E23, E24; Kruszewski 1996, 3.3.3",
+       radius_gap},
       {"radius_share",
        {angle},
        "angle times the siblings' part of the sum of radii",

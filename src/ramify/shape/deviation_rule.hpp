@@ -28,4 +28,10 @@ const std::vector<RuleInfo<DeviationRule>>& deviation_rules();
 /// by an exponent below 2 (X60). K96 2.3.3.
 double murray_angle(double mother, double child, double sibling);
 
+/// How much of the way from its lowest to its highest angle a branch of GMT4 has at tau, 0 at the foot and 1
+/// at the top, in one of the five categories; closed forms that behave as the source's words say, for its
+/// equations do not (X45). @param peak  of the fifth category, above 0 and at most 1/2. E15; Aono and Kunii
+/// 1984, Table 3.
+double level_share(int category, double tau, double peak);
+
 }  // namespace ramify

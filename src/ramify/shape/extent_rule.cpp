@@ -35,8 +35,10 @@ ExtentRule radius_power(Constants c) {
 }
 
 ExtentRule ratios(Constants c) {
-  return [c = c[0], main = c[1], secondary = c[2]](const Question& q) {
-    return is_root(q.node) ? c : q.of_mother * (q.node.is_main ? main : secondary);
+  return [c = c[0], main = c[1], secondary = c[2], trunk = c[3]](const Question& q) {
+    if (is_root(q.node)) return c * trunk;
+    const bool is_on_trunk = q.node.depth() == 2;
+    return q.of_mother * (q.node.is_main ? main : secondary) / (is_on_trunk ? trunk : 1);
   };
 }
 
@@ -96,8 +98,9 @@ const std::vector<RuleInfo<ExtentRule>>& extent_rules() {
        "E3; Kruszewski 1996, 2.3.2",
        radius_power},
       {"ratios",
-       {{"c", 0, no_end}, {"main", 0, 10}, {"secondary", 0, 10}},
-       "c of the root; main or secondary times that of the mother as she was placed",
+       {{"c", 0, no_end}, {"main", 0, 10}, {"secondary", 0, 10}, {"trunk", 0.001, 1000, 1}},
+       "c of the root; main or secondary times that of the mother as she was placed; the root's own times "
+       "trunk",
        "E10, E12; Honda 1971, Aono and Kunii 1984",
        ratios},
       {"order_power",

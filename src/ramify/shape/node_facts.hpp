@@ -14,6 +14,7 @@ struct NodeFacts {
   double secondary;   ///< secondary nodes on that path
   bool is_main;       ///< goes on with the main branch of its mother; so does the root
   std::size_t place;  ///< among its siblings, from 0
+  std::size_t node;   ///< its place in preorder: what was measured of it is found by this
   double radius = 0;
   double length = 0;
 

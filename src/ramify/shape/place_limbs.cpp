@@ -96,7 +96,8 @@ class Survey {
             static_cast<double>(paths_[node].main),
             static_cast<double>(paths_[node].secondary),
             is_main,
-            place};
+            place,
+            node};
   }
 
   bool is_main(std::size_t node, const NodeFacts& mother) const { return paths_[node].main > mother.main; }
@@ -165,19 +166,23 @@ class Placing {
     const double turn = rules_.mirrors && (chance_() >> 63) != 0 ? std::numbers::pi : 0;
     sides_taken_ = 0;
     for (std::size_t child = 0; child < nodes_.size(); ++child) {
-      const double side = turn + side_of(child);
+      const double side = turn + side_of(mother, child);
       add_child(mother, child, side, deviation(mother, child));
     }
     std::reverse(open_.end() - static_cast<std::ptrdiff_t>(nodes_.size()), open_.end());
   }
 
   /// The direction in which a child leaves, about the mother's axis from e.
-  double side_of(std::size_t child) {
+  double side_of(const Twig& mother, std::size_t child) {
     const auto children = static_cast<double>(nodes_.size());
+    if (rules_.arrangement == Arrangement::turned && !rules_.azimuths.empty())
+      return radians(rules_.azimuths[child % rules_.azimuths.size()]);
     if (rules_.arrangement == Arrangement::whorl)
       return 2 * std::numbers::pi * static_cast<double>(child) / children;
     if (nodes_.size() > 2 && facts_[child].is_main) return 0;
-    return sides_taken_++ % 2 == 0 ? 0 : std::numbers::pi;
+    const bool changes_sides = rules_.arrangement == Arrangement::alternating && mother.facts.secondary > 0 &&
+                               std::fmod(mother.facts.depth(), 2) == 0;
+    return (sides_taken_++ % 2 == 0) == changes_sides ? std::numbers::pi : 0;
   }
 
   double deviation(const Twig& mother, std::size_t child) {
@@ -202,7 +207,7 @@ class Placing {
       facts.length = (moved - start).norm();
       if (facts.length > 0) frame = headed(frame, (moved - start) / facts.length);
     }
-    frame.e = plane_of(frame, facts);
+    frame.e = plane_of(frame, facts, rules_.arrangement == Arrangement::turned ? side : 0);
     frame = straightened(frame);
     shape_.limbs[nodes_[child]] = {point_of(start), point_of(moved), facts.radius};
     open_.push_back({nodes_[child], facts, frame});
@@ -210,7 +215,7 @@ class Placing {
 
   Vector start_of(const Twig& mother, const Vector& u, double deviation, double radius) const {
     const Vector end = vector_of(shape_.limbs[mother.node].end);
-    if (rules_.joint == Joint::centre) return end;
+    if (rules_.joint == BranchJoint::centre) return end;
     const Vector along_leg = mother.frame.h * std::sin(deviation) - u * std::cos(deviation);
     return end + u * mother.facts.radius + along_leg * radius;
   }
@@ -247,8 +252,10 @@ class Placing {
     return acts ? Vector(way * (tropism.strength / way.norm())) : Vector(0, 0, 0);
   }
 
-  Vector plane_of(const Frame& frame, const NodeFacts& node) {
-    double angle = radians(rules_.plane.angle);
+  /// The normal of the plane of a node's own children.
+  /// @param roll  of the frame itself, before the rule
+  Vector plane_of(const Frame& frame, const NodeFacts& node, double roll) {
+    double angle = radians(rules_.plane.angle) + roll;
     Vector e = frame.e;
     switch (rules_.plane.kind) {
       case PlaneRule::Kind::carried:
@@ -258,10 +265,10 @@ class Placing {
         break;
       case PlaneRule::Kind::gradient:
         e = level_across(frame.h);
-        angle *= node.depth() - 1;
+        angle = radians(rules_.plane.angle) * (node.depth() - 1);
         break;
       case PlaneRule::Kind::random:
-        angle *= uniform_open(chance_);
+        angle = roll + radians(rules_.plane.angle) * uniform_open(chance_);
     }
     return e * std::cos(angle) + frame.h.cross(e) * std::sin(angle);
   }
