@@ -128,7 +128,7 @@ TEST_P(Refused, InOneLineWithoutAFile) {
   scratch.file("two.nwk", "(a,b);\n(c,d);\n");
   scratch.file("nan.nwk", "(a:1,b);\n");
   scratch.file("negative.nwk", "(a:1,b:-2);\n");
-  scratch.file("radii.csv", "id,parent,length,radius\n1,,1,1\n2,1,1,-1\n3,1,1,1\n");
+  scratch.file("radii.csv", "id,parent,length,radius\n1,,1,1\n2,1,1,\n3,1,1,1\n");
   std::filesystem::create_directories(scratch / "presets" / "draw");
   const auto preset = [&](const std::string& name, const std::string& radius, const std::string& length) {
     scratch.file("presets/draw/" + name + ".toml",
@@ -181,12 +181,13 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"--preset apple_life --sheet -o a.svg", "leave --sheet out"},
         Refusal{"--preset beta_large --n 1e6 -o a.svg", "take a name that ends in .png"},
         Refusal{"--preset apple_life --configs . -o a.svg", "no presets in './draw'"},
-        Refusal{"--preset wrong --configs presets -o a.svg", "presets/draw/wrong.toml:5:21: no rule"},
-        Refusal{"--preset angle --configs presets -o a.svg", "Murray's angle of radii 1 and 1 on 2"},
+        Refusal{"--preset wrong --configs presets -o a.svg", "presets/draw/wrong.toml:5:19: no rule"},
+        Refusal{"--preset angle --configs presets -o a.svg",
+                "presets/draw/angle.toml: Murray's angle of radii"},
         Refusal{"--preset zero --configs presets -o a.svg", "change the constants of its rule"},
         Refusal{"--model bst --n 10 --view top -o a.svg", "add --style branches"},
         Refusal{"--model bst --n 10 --style branches --side 3 -o a.svg", "it lies from 50"},
-        Refusal{"--tree radii.csv --style branches -o a.svg", "has the radius -1"},
+        Refusal{"--tree radii.csv --style branches -o a.svg", "has the radius nan"},
         Refusal{"--tree negative.nwk --style branches -o a.svg", "has the length -2"},
         Refusal{"--gallery two.nwk", "it exists"},
         Refusal{"--gallery new --configs presets", "presets/draw/angle.toml"}),

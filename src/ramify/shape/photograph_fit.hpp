@@ -6,7 +6,7 @@ namespace ramify {
 
 /// Three lengths of a tree on a photograph, in any unit (H8; Aono and Kunii 1984, Figure 18).
 struct Silhouette {
-  double base;     ///< H0, from the foot to the first branching
+  double base;     ///< H_0, from the foot to the first branching
   double height;   ///< H, of the whole tree
   double lateral;  ///< L, from the first branching to the farthest tip at the side
 };
@@ -16,14 +16,14 @@ struct Contraction {
   double main, secondary;
 };
 
-/// GMT1 and GMT3 as the source fits them: R1 = 1 - H0/H, R2 = R1 L/(H - H0). The first neglects R1^n (X47):
+/// GMT1 and GMT3 as the source fits them: R1 = 1 - H_0/H, R2 = R1 L/(H - H_0). The first neglects R1^n (X47):
 /// at 7 levels of a ginkgo 0.826 for 0.903.
 Contraction approximate_contraction(const Silhouette& tree);
 
-/// The same without the neglect: H = H0 (1 + R1 + ... + R1^n), solved for R1; L/(H - H0) = R2/R1 holds for
+/// The same without the neglect: H = H_0 (1 + R1 + ... + R1^n), solved for R1; L/(H - H_0) = R2/R1 holds for
 /// every n. @param levels  n, at least 1
 ///
-/// Both throw Error unless 0 < H0 < H and L >= 0.
+/// Both throw Error unless 0 < H_0 < H and L >= 0.
 Contraction exact_contraction(const Silhouette& tree, unsigned levels);
 
 /// The ratio by which branches shorten from level to level, with a two-sided 80 % interval, as the source
