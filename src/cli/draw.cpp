@@ -14,6 +14,7 @@
 #include "ramify/draw/node_link.hpp"
 #include "ramify/draw/sheet.hpp"
 #include "ramify/format/read_trees.hpp"
+#include "ramify/gallery/form_table.hpp"
 #include "ramify/gallery/gallery.hpp"
 #include "ramify/gallery/preset_drawing.hpp"
 #include "ramify/shape/place_limbs.hpp"
@@ -26,7 +27,7 @@ namespace {
 
 struct DrawArguments {
   std::string tree, format = "auto", root, which, model, n, seed, replicate, preset, configs, style, view,
-                    color_by, side = "800", leaf_order = "1", gallery, output;
+                    color_by, table, side = "800", leaf_order = "1", gallery, output;
   bool same_lengths = false, keep_unary = false, sheet = false;
 };
 
@@ -64,9 +65,9 @@ RecordedTree read_tree(const DrawArguments& options) {
   return options.keep_unary ? tree : contract_unary(std::move(tree));
 }
 
-/// Of a tree, its layout and the lines of its picture: what was measured and a tenth; and of the page.
+/// Of a tree, its form and the outlines of its picture: what was measured and a tenth; and of the page.
 double drawing_bytes(double nodes) {
-  return 6e7 + 110 * nodes;
+  return 6e7 + 300 * nodes;
 }
 
 /// The model, size, seed and replicate that are asked for, as the one panel of a picture.
@@ -84,13 +85,15 @@ PicturePanel grown_panel(const DrawArguments& options) {
   return {{}, std::move(model), n, seed, replicate, {}, {}};
 }
 
+/// Refuses a tree whose form would not fit into memory.
+void require_drawing_memory(const PicturePanel& panel) {
+  require_memory("the drawing", "--n", panel.n,
+                 [&](Size size) { return drawing_bytes(expected_nodes(panel.model, size)); });
+}
+
 RecordedTree grow_tree(const PicturePanel& panel, const DrawingFile& file, const Cancellation& cancellation) {
-  const auto nodes = [&panel](Size size) {
-    return panel.model.is_split() ? 2 * static_cast<double>(size) + 1
-                                  : panel.model.grown().expected_nodes(size);
-  };
-  file.require_room(nodes(panel.n));
-  require_memory("the drawing", "--n", panel.n, [&](Size size) { return drawing_bytes(nodes(size)); });
+  file.require_room(expected_nodes(panel.model, panel.n));
+  require_drawing_memory(panel);
   return panel_tree(panel, cancellation);
 }
 
@@ -160,7 +163,7 @@ Drawing tree_drawing(const DrawArguments& options, const DrawingFile& file,
   return diagram(options, tree);
 }
 
-Drawing picture(const DrawArguments& options, const DrawingFile& file, const Cancellation& cancellation) {
+PicturePreset asked_preset(const DrawArguments& options) {
   PicturePreset preset = find_picture_preset(config_folder(options.configs, "draw"), options.preset);
   PresetChange changes;
   if (!options.n.empty()) changes.n = read_count("--n", options.n);
@@ -171,8 +174,24 @@ Drawing picture(const DrawArguments& options, const DrawingFile& file, const Can
   changes.color_by = options.color_by;
   change(preset, changes);
   if (options.sheet) show_in_sheet_views(preset);
+  return preset;
+}
+
+Drawing picture(const DrawArguments& options, const DrawingFile& file, const Cancellation& cancellation) {
+  const PicturePreset preset = asked_preset(options);
   file.require_room(expected_nodes(preset));
+  for (const PicturePanel& panel : preset.panels) require_drawing_memory(panel);
   return preset_drawing(preset, side_of(options), cancellation);
+}
+
+void print_table(const DrawArguments& options, const Cancellation& cancellation) {
+  const FormTable kind = parse_form_table(options.table);
+  if (options.preset.empty())
+    throw Error("--table without --preset", "it measures the form of a preset",
+                "name one, or measure a tree of a file with ramify measure");
+  const PicturePreset preset = asked_preset(options);
+  for (const PicturePanel& panel : preset.panels) require_drawing_memory(panel);
+  emit(form_table(preset, kind, cancellation), {options.output, false});
 }
 
 ExitCode draw(const DrawArguments& options, const Cancellation& cancellation) {
@@ -180,6 +199,10 @@ ExitCode draw(const DrawArguments& options, const Cancellation& cancellation) {
   require_style(options.style);
   if (!options.gallery.empty()) {
     draw_gallery(options.gallery, config_folder(options.configs, "draw"), cancellation);
+    return ExitCode::done;
+  }
+  if (!options.table.empty()) {
+    print_table(options, cancellation);
     return ExitCode::done;
   }
   if (options.output.empty())
@@ -212,6 +235,8 @@ void add_draw(Program& program) {
               "the tree that sample --no-graft prints under this number; 0 where it is left out");
   verb.option("--preset", options->preset, "or draw a picture of the sources; see docs/gallery.md");
   verb.option("--gallery", options->gallery, "or draw all of them into this new folder, with a page");
+  verb.option("--table", options->table,
+              "of a preset, measures of its form instead of a drawing: summary or orders");
   verb.option("--configs", options->configs, "the folder that holds draw/, the presets");
   verb.option(
       "--style", options->style,

@@ -80,6 +80,17 @@ TEST(Draw, OptionsChangeThePicture) {
   EXPECT_EQ(pictures.size(), 10u);
 }
 
+// One row of each: the complete tree of 12 levels, whose squares have the first one's area at every level.
+TEST(Draw, TablesMeasureTheForm) {
+  const Ran orders = ramify("draw --preset pythagoras --table orders");
+  EXPECT_EQ(orders.code, 0);
+  EXPECT_EQ(count_lines(orders.out), 1u + 12);
+  EXPECT_NE(orders.out.find("\n1,complete,4095,1996,0,1,13,1,1,1,2,2\n"), std::string::npos) << orders.out;
+  const Ran summary = ramify("draw --preset pythagoras --table summary");
+  // 12 levels of sides 2/sqrt(2)^k: the ratio from order to order is sqrt(2).
+  EXPECT_NE(summary.out.find(",1.414213562,1.414213562\n"), std::string::npos) << summary.out;
+}
+
 TEST(Draw, MeasuredTreesHaveTheirOwnForm) {
   const Scratch scratch;
   for (const char* file : {"sapling.swc", "sapling.newick", "sapling.mtg"})

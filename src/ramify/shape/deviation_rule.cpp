@@ -156,6 +156,97 @@ DeviationRule triangle_angles(Numbers c) {
   };
 }
 
+/// By role, order or size beside the siblings.
+std::vector<RuleInfo<DeviationRule>> deviations_by_rank() {
+  const RuleConstant main{"main", -widest, widest};
+  const RuleConstant secondary{"secondary", -widest, widest};
+  const RuleConstant fork{"fork", -widest, widest};
+  return {
+      {"roles",
+       {main, secondary},
+       "main or secondary, as a child goes on with the main branch",
+       "E10; Honda 1971",
+       by_role},
+      {"orders", {main, secondary, fork}, "by order above, below or that of the sibling", "E20", by_order},
+      {"viennot",
+       {main, secondary, fork},
+       "main s/(k-1), secondary (s-k)/(s-1) or fork, k the order of the child, s of its sibling",
+       "E17; Viennot et al. 1989",
+       viennot},
+      {"log_nodes",
+       {main, secondary, fork},
+       "by floor(log2 nodes) above, below or that of the sibling",
+       "E18 with X8; Devroye and Kruszewski 1995, Figure 4",
+       by_log_nodes}};
+}
+
+/// By parts of radii or sizes.
+std::vector<RuleInfo<DeviationRule>> deviations_by_share() {
+  const RuleConstant angle{"angle", -widest, widest};
+  return {{"murray",
+           {},
+           "arccos((R^4 + r^4 - s^4)/(2 R^2 r^2)), r of the child, s of its sibling, R of the mother",
+           "E4; Murray 1926, Kruszewski 1996, 2.3.3",
+           murray},
+          {"nodes_share",
+           {angle},
+           "angle times the siblings' part of all nodes below the fork",
+           "E18 with X9; Devroye and Kruszewski 1995, Figure 4",
+           nodes_share},
+          {"radius_gap",
+           {angle, {"main", 0, 1, 1}},
+           "angle (R - r)/R, of the main child main times that: 0 or 1",
+           "E23, E24; Kruszewski 1996, 3.3.3",
+           radius_gap},
+          {"radius_share",
+           {angle},
+           "angle times the siblings' part of the sum of radii",
+           "E28; Kruszewski 1996, 5.1.4",
+           radius_share}};
+}
+
+/// By depth, by chance, or always the same.
+std::vector<RuleInfo<DeviationRule>> deviations_by_path() {
+  const RuleConstant main{"main", -widest, widest};
+  const RuleConstant angle{"angle", -widest, widest};
+  return {{"constant", {angle}, "angle", "E9, E12, E16; Aono and Kunii 1984", same},
+          {"depth",
+           {angle},
+           "angle/(depth + 1)",
+           "E18 with X10; Devroye and Kruszewski 1995, Figure 4",
+           by_depth},
+          {"log_depth",
+           {angle},
+           "angle/(log depth + 1)",
+           "E18 with X10; Devroye and Kruszewski 1995, Figure 4",
+           by_log_depth},
+          {"falling",
+           {main, {"highest", 0, 1000}, {"step", 0, 1000}},
+           "main, or max(highest - step depth, 0)",
+           "E15 with X26; Kruszewski 1996, Figure 4.13",
+           falling},
+          {"levels",
+           {{"category", 1, 5},
+            main,
+            {"highest", 0, widest},
+            {"lowest", 0, widest},
+            {"levels", 1, 1000},
+            {"peak", 0.001, 0.5, 0.5}},
+           "main, or from highest at the foot to lowest at the top in one of five ways",
+           "E15 with X45; Aono and Kunii 1984, Tables 3 and 4",
+           by_level},
+          {"normal",
+           {{"mean", 0, widest}, {"deviation", 0, widest}},
+           "normal with that mean and standard deviation",
+           "E26; Kruszewski 1996, 5.1.5",
+           normal},
+          {"triangle",
+           {{"first", 1, 120}, {"second", 1, 120}, {"flip", 0, 1, 0}},
+           "the angles of a triangle on the mother; with flip they change places at every even depth",
+           "E7; Bosman 1957",
+           triangle_angles}};
+}
+
 }  // namespace
 
 double level_share(int category, double tau, double peak) {
@@ -185,82 +276,8 @@ double murray_angle(double mother, double child, double sibling) {
 }
 
 const std::vector<RuleInfo<DeviationRule>>& deviation_rules() {
-  const RuleConstant main{"main", -widest, widest}, secondary{"secondary", -widest, widest},
-      fork{"fork", -widest, widest}, angle{"angle", -widest, widest};
-  static const std::vector<RuleInfo<DeviationRule>> all{
-      {"constant", {angle}, "angle", "E9, E12, E16; Aono and Kunii 1984", same},
-      {"roles",
-       {main, secondary},
-       "main or secondary, as a child goes on with the main branch",
-       "E10; Honda 1971",
-       by_role},
-      {"murray",
-       {},
-       "arccos((R^4 + r^4 - s^4)/(2 R^2 r^2)), r of the child, s of its sibling, R of the mother",
-       "E4; Murray 1926, Kruszewski 1996, 2.3.3",
-       murray},
-      {"orders", {main, secondary, fork}, "by order above, below or that of the sibling", "E20", by_order},
-      {"viennot",
-       {main, secondary, fork},
-       "main s/(k-1), secondary (s-k)/(s-1) or fork, k the order of the child, s of its sibling",
-       "E17; Viennot et al. 1989",
-       viennot},
-      {"log_nodes",
-       {main, secondary, fork},
-       "by floor(log2 nodes) above, below or that of the sibling",
-       "E18 with X8; Devroye and Kruszewski 1995, Figure 4",
-       by_log_nodes},
-      {"nodes_share",
-       {angle},
-       "angle times the siblings' part of all nodes below the fork",
-       "E18 with X9; Devroye and Kruszewski 1995, Figure 4",
-       nodes_share},
-      {"radius_gap",
-       {angle, {"main", 0, 1, 1}},
-       "angle (R - r)/R, of the main child main times that: 0 or 1",
-       "E23, E24; Kruszewski 1996, 3.3.3",
-       radius_gap},
-      {"radius_share",
-       {angle},
-       "angle times the siblings' part of the sum of radii",
-       "E28; Kruszewski 1996, 5.1.4",
-       radius_share},
-      {"depth",
-       {angle},
-       "angle/(depth + 1)",
-       "E18 with X10; Devroye and Kruszewski 1995, Figure 4",
-       by_depth},
-      {"log_depth",
-       {angle},
-       "angle/(log depth + 1)",
-       "E18 with X10; Devroye and Kruszewski 1995, Figure 4",
-       by_log_depth},
-      {"falling",
-       {main, {"highest", 0, 1000}, {"step", 0, 1000}},
-       "main, or max(highest - step depth, 0)",
-       "E15 with X26; Kruszewski 1996, Figure 4.13",
-       falling},
-      {"levels",
-       {{"category", 1, 5},
-        main,
-        {"highest", 0, widest},
-        {"lowest", 0, widest},
-        {"levels", 1, 1000},
-        {"peak", 0.001, 0.5, 0.5}},
-       "main, or from highest at the foot to lowest at the top in one of five ways",
-       "E15 with X45; Aono and Kunii 1984, Tables 3 and 4",
-       by_level},
-      {"normal",
-       {{"mean", 0, widest}, {"deviation", 0, widest}},
-       "normal with that mean and standard deviation",
-       "E26; Kruszewski 1996, 5.1.5",
-       normal},
-      {"triangle",
-       {{"first", 1, 120}, {"second", 1, 120}, {"flip", 0, 1, 0}},
-       "the angles of a triangle on the mother; with flip they change places at every even depth",
-       "E7; Bosman 1957",
-       triangle_angles},
-  };
+  static const std::vector<RuleInfo<DeviationRule>> all =
+      joined({deviations_by_rank(), deviations_by_share(), deviations_by_path()});
   return all;
 }
 

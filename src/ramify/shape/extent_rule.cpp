@@ -82,43 +82,46 @@ ExtentRule legs(Constants c) {
   };
 }
 
-}  // namespace
+/// By what is below a node, or by its radius.
+std::vector<RuleInfo<ExtentRule>> extents_by_subtree() {
+  return {{"constant", {{"c", 0, no_end}}, "c", "E25; Niklas 1986", constant},
+          {"leaves_power",
+           {{"c", 0, no_end}, {"exponent", 1, no_end, 3}},
+           "c leaves^(1/exponent): what R^x = sum of the children's R^x comes to",
+           "E2, E28, E36; Kruszewski 1996, 2.3.1",
+           leaves_power},
+          {"radius_power",
+           {{"c", 0, no_end}, {"exponent", -10, 10, 1}},
+           "c radius^exponent; of a length",
+           "E3; Kruszewski 1996, 2.3.2",
+           radius_power},
+          {"order_power",
+           {{"c", 0, no_end}, {"exponent", -10, 10, 1}},
+           "c order^exponent, leaf order 1",
+           "E17; Viennot et al. 1989",
+           order_power},
+          {"order_ratio",
+           {{"c", 0, no_end}, {"ratio", 0, 10}},
+           "c ratio^(order - order of the root)",
+           "E17, E27 with X1; Kruszewski 1996, 5.1.6",
+           order_ratio},
+          {"nodes_power",
+           {{"c", 0, no_end}, {"exponent", -10, 10, 0.5}},
+           "c nodes^exponent",
+           "E18; Devroye and Kruszewski 1995",
+           nodes_power},
+          {"nodes_log", {{"c", 0, no_end}}, "c log(nodes)", "E18; Devroye and Kruszewski 1995", nodes_log}};
+}
 
-const std::vector<RuleInfo<ExtentRule>>& extent_rules() {
-  static const std::vector<RuleInfo<ExtentRule>> all{
-      {"constant", {{"c", 0, no_end}}, "c", "E25; Niklas 1986", constant},
-      {"leaves_power",
-       {{"c", 0, no_end}, {"exponent", 1, no_end, 3}},
-       "c leaves^(1/exponent): what R^x = sum of the children's R^x comes to",
-       "E2, E28, E36; Kruszewski 1996, 2.3.1",
-       leaves_power},
-      {"radius_power",
-       {{"c", 0, no_end}, {"exponent", -10, 10, 1}},
-       "c radius^exponent; of a length",
-       "E3; Kruszewski 1996, 2.3.2",
-       radius_power},
+/// By the way to a node, or by chance.
+std::vector<RuleInfo<ExtentRule>> extents_by_path() {
+  return {
       {"ratios",
        {{"c", 0, no_end}, {"main", 0, 10}, {"secondary", 0, 10}, {"trunk", 0.001, 1000, 1}},
        "c of the root; main or secondary times that of the mother as she was placed; the root's own times "
        "trunk",
        "E10, E12; Honda 1971, Aono and Kunii 1984",
        ratios},
-      {"order_power",
-       {{"c", 0, no_end}, {"exponent", -10, 10, 1}},
-       "c order^exponent, leaf order 1",
-       "E17; Viennot et al. 1989",
-       order_power},
-      {"order_ratio",
-       {{"c", 0, no_end}, {"ratio", 0, 10}},
-       "c ratio^(order - order of the root)",
-       "E17, E27 with X1; Kruszewski 1996, 5.1.6",
-       order_ratio},
-      {"nodes_power",
-       {{"c", 0, no_end}, {"exponent", -10, 10, 0.5}},
-       "c nodes^exponent",
-       "E18; Devroye and Kruszewski 1995",
-       nodes_power},
-      {"nodes_log", {{"c", 0, no_end}}, "c log(nodes)", "E18; Devroye and Kruszewski 1995", nodes_log},
       {"depth_inverse",
        {{"c", 0, no_end}, {"base", 0, no_end, 0}, {"exponent", -10, 10, 1}},
        "c/(base + depth^exponent)",
@@ -138,8 +141,13 @@ const std::vector<RuleInfo<ExtentRule>>& extent_rules() {
        {{"c", 0, no_end}, {"first", 1, 120}, {"second", 1, 120}, {"flip", 0, 1, 0}},
        "c of the root; times the leg on which a child stands of a triangle on its mother",
        "E7; Bosman 1957",
-       legs},
-  };
+       legs}};
+}
+
+}  // namespace
+
+const std::vector<RuleInfo<ExtentRule>>& extent_rules() {
+  static const std::vector<RuleInfo<ExtentRule>> all = joined({extents_by_subtree(), extents_by_path()});
   return all;
 }
 

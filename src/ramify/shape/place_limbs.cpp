@@ -214,7 +214,7 @@ class Placing {
   }
 
   Vector start_of(const Twig& mother, const Vector& u, double deviation, double radius) const {
-    const Vector end = vector_of(shape_.limbs[mother.node].end);
+    Vector end = vector_of(shape_.limbs[mother.node].end);
     if (rules_.joint == BranchJoint::centre) return end;
     const Vector along_leg = mother.frame.h * std::sin(deviation) - u * std::cos(deviation);
     return end + u * mother.facts.radius + along_leg * radius;
@@ -243,7 +243,7 @@ class Placing {
   }
 
   static Vector shift_of(const Tropism& tropism, const Vector& end, const NodeFacts& node) {
-    const Vector target = vector_of(tropism.target);
+    Vector target = vector_of(tropism.target);
     if (tropism.kind == Tropism::Kind::shift) return target;
     const double level = node.depth() - 1;
     const Vector way = target - end;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -27,6 +28,14 @@ struct RuleInfo {
   std::string_view source;
   Rule (*make)(std::span<const double> constants);  ///< one for each, in their order
 };
+
+/// Several lists of rules as one.
+template <class Rule>
+std::vector<RuleInfo<Rule>> joined(std::initializer_list<std::vector<RuleInfo<Rule>>> lists) {
+  std::vector<RuleInfo<Rule>> all;
+  for (const auto& list : lists) all.insert(all.end(), list.begin(), list.end());
+  return all;
+}
 
 /// A rule by its name, with its constants; the last may be left out where they have a value of their own.
 /// Throws Error for an unknown name.
