@@ -27,7 +27,7 @@ namespace {
 
 struct DrawArguments {
   std::string tree, format = "auto", root, which, model, n, seed, replicate, preset, configs, style, view,
-                    color_by, table, side = "800", leaf_order = "1", gallery, output;
+                    color_by, table, label, side = "800", leaf_order = "1", gallery, output;
   bool same_lengths = false, keep_unary = false, sheet = false;
 };
 
@@ -148,9 +148,10 @@ Drawing diagram(const DrawArguments& options, const RecordedTree& tree) {
   const std::uint64_t leaf_order = read_count("--leaf-order", options.leaf_order);
   if (leaf_order > 1)
     throw Error(fmt::format("--leaf-order {}", leaf_order), "it is 0 or 1", "take one of these");
-  return node_link_diagram(
-      tree, {options.style.empty() ? NodeLinkStyle::Form::dendrogram : parse_form(options.style),
-             static_cast<unsigned>(leaf_order), options.same_lengths});
+  NodeLinkStyle style{options.style.empty() ? NodeLinkStyle::Form::dendrogram : parse_form(options.style),
+                      static_cast<unsigned>(leaf_order), options.same_lengths};
+  if (!options.label.empty()) style.number = parse_node_number(options.label);
+  return node_link_diagram(tree, style);
 }
 
 Drawing tree_drawing(const DrawArguments& options, const DrawingFile& file,
@@ -197,6 +198,9 @@ void print_table(const DrawArguments& options, const Cancellation& cancellation)
 ExitCode draw(const DrawArguments& options, const Cancellation& cancellation) {
   require_one_subject(options);
   require_style(options.style);
+  if (!options.label.empty() && (is_form(options.style) || !options.preset.empty()))
+    throw Error("--label of a form", "numbers stand at the nodes of a diagram",
+                "take --tree or --model with --style dendrogram or upright");
   if (!options.gallery.empty()) {
     draw_gallery(options.gallery, config_folder(options.configs, "draw"), cancellation);
     return ExitCode::done;
@@ -247,6 +251,7 @@ void add_draw(Program& program) {
   verb.option("--color-by", options->color_by, "of a form: order or bark");
   verb.option("--side", options->side, "of the picture of a form, in pixels", Need::defaulted);
   verb.option("--leaf-order", options->leaf_order, "order of the tips in the key: 0 or 1", Need::defaulted);
+  verb.option("--label", options->label, "of a diagram: at every node its order, depth, leaves or balance");
   verb.flag("--same-lengths", options->same_lengths,
             "every branch as long as another, whatever the file says");
   verb.option("-o,--output", options->output,

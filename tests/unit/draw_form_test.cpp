@@ -63,24 +63,27 @@ TEST(ForkOutline, ABarIsATaperedRectangle) {
 }
 
 TEST(ForkOutline, SidesRunIntoTheBudsOfChildren) {
-  // Straight up, two children at right angles: bud ends lie half way along them.
+  // Straight up, two children at right angles.
   const PageLimb limb{{0, 100}, {0, 0}, 10, 8};
-  const std::array<PageLimb, 2> children{{{{0, 0}, {-40, 0}, 5, 4}, {{0, 0}, {40, 0}, 5, 4}}};
+  const std::array<PageLimb, 2> children{{{{0, 0}, {-100, 0}, 5, 4}, {{0, 0}, {100, 0}, 5, 4}}};
   Patches patches;
   add_fork(patches, {0, 0, 0}, limb, limb.start, children);
   const auto points = patches.points(0);
   const auto steps = patches.steps(0);
   using enum Patches::Step;
-  const std::vector<Patches::Step> expected{move, line, curve, line, curve, line, curve, line};
+  const std::vector<Patches::Step> expected{move,  line, curve, line, line,  line,
+                                            curve, line, line,  line, curve, line};
   EXPECT_TRUE(std::ranges::equal(steps, expected));
   expect_at(points[0], -10, 100);  // left foot
   expect_at(points[1], -8, 12);    // the neck, 1.5 radii below the end
   expect_at(points[2], -8, 0);     // its handle goes on up
   expect_at(points[4], -15, 5);    // the lower side of the left bud, three radii out
-  expect_at(points[5], -15, -5);   // its upper side
-  expect_at(points[8], 15, -5);    // over the crotch to the right bud
-  expect_at(points[13], 10, 100);  // right foot
-  expect_at(bud_end(children[1]), 15, 0);
+  expect_at(points[5], -30, 5);    // its end, 0.3 of the branch out
+  expect_at(points[6], -30, -5);
+  expect_at(points[7], -15, -5);   // back to the crotch
+  expect_at(points[10], 15, -5);   // and over it to the right bud
+  expect_at(points[17], 10, 100);  // right foot
+  expect_at(bud_end(children[1]), 30, 0);
 }
 
 TEST(ForkOutline, AnOutlineIsSymmetricWhereItsForkIs) {

@@ -50,10 +50,14 @@ void add_fork(Patches& patches, const Color& color, const PageLimb& limb, PagePo
   patches.line(neck + left * limb.end_radius);
   for (const PageLimb& child : children) {
     const PagePoint along = direction(child), side = to_the_left(along) * child.start_radius;
-    const PagePoint tip = bud_end(child), back = along * (-0.8 * bud_length(child));
-    patches.curve(handle, tip + side + back, tip + side);
+    // Sides leave the child's own three radii out: from a longer bud's end they would span a web.
+    const double out = std::min(bud_length(child), 3 * child.start_radius);
+    const PagePoint shoulder = child.start + along * out, tip = bud_end(child), back = along * (-0.8 * out);
+    patches.curve(handle, shoulder + side + back, shoulder + side);
+    patches.line(tip + side);
     patches.line(tip - side);
-    handle = tip - side + back;
+    patches.line(shoulder - side);
+    handle = shoulder - side + back;
   }
   const PagePoint right = neck - left * limb.end_radius;
   if (children.empty())

@@ -28,8 +28,9 @@ Sheet::Sheet(std::size_t pictures, std::size_t columns, bool has_captions, doubl
 
 void Sheet::add(const std::string& caption, const Tree& tree, const Shape& shape, const TreeLook& look,
                 const Cancellation& cancellation) {
-  const double left = static_cast<double>(added_ % columns_) * cell_,
-               top = static_cast<double>(added_ / columns_) * (cell_ + 2 * letters_);
+  const std::size_t column = added_ % columns_, row = added_ / columns_;
+  const double left = static_cast<double>(column) * cell_,
+               top = static_cast<double>(row) * (cell_ + 2 * letters_);
   const double margin = margin_part * cell_;
   ++added_;
   add_tree(drawing_, {left + margin, top + margin, cell_ - 2 * margin, cell_ - 2 * margin}, tree, shape, look,

@@ -38,8 +38,8 @@ class ContactSheet {
   }
 
   void add(const std::string& name, const Drawing& drawing) {
-    const PagePoint at{static_cast<double>(added_ % contact_columns) * contact_side,
-                       static_cast<double>(added_ / contact_columns) * row_height};
+    const std::size_t column = added_ % contact_columns, row = added_ / contact_columns;
+    const PagePoint at{static_cast<double>(column) * contact_side, static_cast<double>(row) * row_height};
     ++added_;
     add_in_square(page_, drawing, at, contact_side);
     page_.labels.push_back({{at.x + contact_side / 2, at.y + contact_side + contact_letters / 2},
