@@ -21,7 +21,7 @@ enum class FormTable : std::uint8_t {
 FormTable parse_form_table(const std::string& name);
 
 /// The ratios are exp of the least-squares slope of the logarithm of a mean on its order: Horton's second law
-/// (I4). Throws Interrupted.
+/// (C35). Throws Interrupted.
 Table form_table(const PicturePreset& preset, FormTable kind, const Cancellation& cancellation);
 
 }  // namespace ramify

@@ -56,20 +56,20 @@ DeviationRule by_rank(Numbers c, Rank rank) {
   };
 }
 
-double order_of(const NodeFacts& node) {
+double own_order(const NodeFacts& node) {
   return node.order;
 }
 
-double radius_of(const NodeFacts& node) {
+double own_radius(const NodeFacts& node) {
   return node.radius;
 }
 
-double nodes_of(const NodeFacts& node) {
+double own_nodes(const NodeFacts& node) {
   return node.nodes;
 }
 
 DeviationRule by_order(Numbers c) {
-  return by_rank(c, order_of);
+  return by_rank(c, own_order);
 }
 
 DeviationRule by_log_nodes(Numbers c) {
@@ -78,7 +78,7 @@ DeviationRule by_log_nodes(Numbers c) {
 
 DeviationRule viennot(Numbers c) {
   return [main = c[0], secondary = c[1], even = c[2]](const Fork& fork, std::size_t child) {
-    const double own = order_of(fork.children[child]), other = highest_sibling(fork, child, order_of);
+    const double own = own_order(fork.children[child]), other = highest_sibling(fork, child, own_order);
     if (own == other) return even;
     return own > other ? main * other / (own - 1) : secondary * (other - own) / (other - 1);
   };
@@ -110,11 +110,11 @@ DeviationRule others_share(double c, Fact fact) {
 }
 
 DeviationRule radius_share(Numbers c) {
-  return others_share(c[0], radius_of);
+  return others_share(c[0], own_radius);
 }
 
 DeviationRule nodes_share(Numbers c) {
-  return others_share(c[0], nodes_of);
+  return others_share(c[0], own_nodes);
 }
 
 DeviationRule by_depth(Numbers c) {
