@@ -400,6 +400,56 @@ TEST(Arrangement, AnyNumberOfChildrenShareTheirAngles) {
   EXPECT_NEAR(angle_between(shape.limbs[4], shape.limbs[5]), 0, 1e-6);  // one child goes straight on
 }
 
+// Azimuths 0, 90 and 200 about a trunk: where each child leans, and its own first child leans in a plane
+// turned with it.
+TEST(Arrangement, AzimuthsTurnAChildsPlaneToo) {
+  ShapeRules rules = sticks(deviation("constant", {30}));
+  rules.arrangement = Arrangement::turned;
+  rules.azimuths = {0, 90, 200};
+  const Shape shape = placed(complete_tree(2, 3), rules);
+  const double c = std::cos(radians(30)), s = std::sin(radians(30));
+  for (std::size_t child = 0; child < 3; ++child) {
+    // e is (-1,0,0) and n = h x e is (0,0,1).
+    const double azimuth = radians(rules.azimuths[child]);
+    const Point3 lean{-std::cos(azimuth), 0, std::sin(azimuth)};
+    expect_point(heading(shape.limbs[1 + 4 * child]), {s * lean[0], c, s * lean[2]});
+    // Twice the lean of its mother, on the same side.
+    expect_point(heading(shape.limbs[2 + 4 * child]),
+                 {std::sin(radians(60)) * lean[0], std::cos(radians(60)), std::sin(radians(60)) * lean[2]});
+  }
+}
+
+// Along a lateral of a trunk its own laterals stand left and right in turn; coplanar ones all on one side.
+TEST(Arrangement, AlternatingExchangesSidesOffTheTrunk) {
+  for (const bool alternates : {true, false}) {
+    ShapeRules rules = sticks(deviation("roles", {0, 50}));
+    rules.main = MainChild::first;
+    rules.arrangement = alternates ? Arrangement::alternating : Arrangement::coplanar;
+    // The trunk's lateral (node 2) goes on in nodes 3 and 4, whose laterals are 8, 7 and 6.
+    const Shape shape = placed(Tree({2, 0, 2, 2, 2, 0, 0, 0, 0}), rules);
+    const auto side = [&](std::size_t mother, std::size_t child) {
+      const Point3 m = heading(shape.limbs[mother]), l = heading(shape.limbs[child]);
+      return m[0] * l[1] - m[1] * l[0] > 0;
+    };
+    EXPECT_EQ(side(2, 8) != side(3, 7), alternates);
+    EXPECT_EQ(side(3, 7) != side(4, 6), alternates);
+  }
+}
+
+TEST(ExtentRule, ATrunkOfItsOwnLengthChangesNothingAbove) {
+  ShapeRules rules = sticks(deviation("constant", {20}));
+  rules.length = extent("ratios", {8, 0.5, 0.25, 3});
+  rules.main = MainChild::first;
+  const Shape shape = placed(complete_tree(2), rules);
+  const auto length = [&](std::size_t node) {
+    return norm(difference(shape.limbs[node].end, shape.limbs[node].start));
+  };
+  EXPECT_NEAR(length(0), 24, tolerance);
+  EXPECT_NEAR(length(1), 4, tolerance);
+  EXPECT_NEAR(length(4), 2, tolerance);
+  EXPECT_NEAR(length(2), 2, tolerance);
+}
+
 // Both children change sides, or none does (X70): of 2^10 forks about half.
 TEST(PlaceLimbs, MirroredForksKeepTheirChildrenApart) {
   ShapeRules rules = sticks(deviation("roles", {10, 30}));
