@@ -3,9 +3,9 @@
 set(groups
   "core optimise text random tree format"
   "model estimate statistic law"
-  "large sample theory accumulate compare"
+  "large sample theory accumulate compare shape"
   "config io page report draw measure run"
-  "family tabulate design fit horton dossier ranks"
+  "family tabulate gallery design fit horton dossier ranks"
   "experiments"
   "cli")
 

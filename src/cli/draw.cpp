@@ -1,14 +1,24 @@
 #include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
 
+#include "config_folder.hpp"
 #include "session.hpp"
 #include "verbs.hpp"
 #include <fmt/format.h>
 
 #include "ramify/core/memory.hpp"
+#include "ramify/core/nearest_name.hpp"
 #include "ramify/draw/drawing_file.hpp"
 #include "ramify/draw/node_link.hpp"
+#include "ramify/draw/sheet.hpp"
 #include "ramify/format/read_trees.hpp"
-#include "ramify/tabulate/tree_batch.hpp"
+#include "ramify/gallery/form_table.hpp"
+#include "ramify/gallery/gallery.hpp"
+#include "ramify/gallery/preset_drawing.hpp"
+#include "ramify/shape/place_limbs.hpp"
+#include "ramify/shape/usual_rules.hpp"
 #include "ramify/text/read_count.hpp"
 #include "ramify/tree/contract_unary.hpp"
 
@@ -16,10 +26,22 @@ namespace ramify::cli {
 namespace {
 
 struct DrawArguments {
-  std::string tree, format = "auto", root, which, model, n, seed = "1996", replicate = "0",
-                    style = "dendrogram", leaf_order = "1", output;
-  bool same_lengths = false, keep_unary = false;
+  std::string tree, format = "auto", root, which, model, n, seed, replicate, preset, configs, style, view,
+                    color_by, table, label, side = "800", leaf_order = "1", gallery, output;
+  bool same_lengths = false, keep_unary = false, sheet = false;
 };
+
+/// A picture of a form, in place of a node-link diagram.
+bool is_form(const std::string& style) {
+  return style == "lines" || style == "bars" || style == "branches";
+}
+
+void require_style(const std::string& style) {
+  if (style.empty() || is_form(style) || style == "dendrogram" || style == "upright") return;
+  throw Error(fmt::format("--style {}", style), "no such style",
+              did_you_mean(style, {"dendrogram", "upright", "lines", "bars", "branches"}) +
+                  "take dendrogram or upright for a diagram, lines, bars or branches for a form");
+}
 
 /// One of several trees must be named: which of them is drawn is never a guess.
 RecordedTree chosen(std::vector<RecordedTree> trees, const DrawArguments& options) {
@@ -43,49 +65,156 @@ RecordedTree read_tree(const DrawArguments& options) {
   return options.keep_unary ? tree : contract_unary(std::move(tree));
 }
 
-/// Of a tree, its layout and the lines of its picture: what was measured and a tenth; and of the page.
+/// Of a tree, its form and the outlines of its picture: what was measured and a tenth; and of the page.
 double drawing_bytes(double nodes) {
-  return 6e7 + 110 * nodes;
+  return 6e7 + 300 * nodes;
 }
 
-RecordedTree grow_tree(const DrawArguments& options, const DrawingFile& file,
-                       const Cancellation& cancellation) {
-  const Model model = Model::parse(options.model);
-  const Size n = read_count("--n", options.n);
-  model.require_size(n);
-  const auto nodes = [&model](Size size) {
-    return model.is_split() ? 2 * static_cast<double>(size) + 1 : model.grown().expected_nodes(size);
-  };
-  file.require_room(nodes(n));
-  require_memory("the drawing", "--n", n, [&](Size size) { return drawing_bytes(nodes(size)); });
-  const std::uint64_t replicate = read_count("--replicate", options.replicate);
-  const TreeBatch batch{model, n, read_count("--seed", options.seed), 1, false};
-  return std::move(batch.grown(replicate, replicate + 1, cancellation).front());
-}
-
-RecordedTree tree_to_draw(const DrawArguments& options, const DrawingFile& file,
-                          const Cancellation& cancellation) {
-  const bool is_model = !options.model.empty();
-  if (is_model == !options.tree.empty())
-    throw Error(is_model ? "--tree and --model" : "neither --tree nor --model", "a drawing shows one tree",
-                "name a file with --tree, or grow one with --model and --n");
-  if (!is_model) return read_tree(options);
+/// The model, size, seed and replicate that are asked for, as the one panel of a picture.
+PicturePanel grown_panel(const DrawArguments& options) {
   if (options.n.empty())
     throw Error(fmt::format("--model {} without --n", options.model), "a tree has a size",
                 "add --n, say --n 100");
-  return grow_tree(options, file, cancellation);
+  Model model = Model::parse(options.model);
+  const Size n = read_count("--n", options.n);
+  model.require_size(n);
+  constexpr std::uint64_t usual_seed = 1996;
+  const std::uint64_t seed = options.seed.empty() ? usual_seed : read_count("--seed", options.seed);
+  const std::uint64_t replicate =
+      options.replicate.empty() ? 0 : read_count("--replicate", options.replicate);
+  return {{}, std::move(model), n, seed, replicate, {}, {}};
 }
 
-ExitCode draw(const DrawArguments& options, const Cancellation& cancellation) {
-  const DrawingFile file(options.output);
+/// Refuses a tree whose form would not fit into memory.
+void require_drawing_memory(const PicturePanel& panel) {
+  require_memory("the drawing", "--n", panel.n,
+                 [&](Size size) { return drawing_bytes(expected_nodes(panel.model, size)); });
+}
+
+RecordedTree grow_tree(const PicturePanel& panel, const DrawingFile& file, const Cancellation& cancellation) {
+  file.require_room(expected_nodes(panel.model, panel.n));
+  require_drawing_memory(panel);
+  return panel_tree(panel, cancellation);
+}
+
+/// The one thing that is drawn; which of several is never a guess.
+void require_one_subject(const DrawArguments& options) {
+  std::vector<std::string> given;
+  for (const auto& [name, value] :
+       {std::pair("--tree", &options.tree), std::pair("--model", &options.model),
+        std::pair("--preset", &options.preset), std::pair("--gallery", &options.gallery)})
+    if (!value->empty()) given.emplace_back(name);
+  if (given.size() == 1) return;
+  if (given.empty())
+    throw Error(
+        "neither --tree nor --model nor --preset nor --gallery", "a drawing shows one tree",
+        "name a file with --tree, grow one with --model and --n, or name a preset of docs/gallery.md");
+  throw Error(fmt::format("{} and {}", given[0], given[1]), "a drawing shows one tree", "leave one out");
+}
+
+double side_of(const DrawArguments& options) {
+  constexpr std::uint64_t least = 50, most = 20'000;
+  const std::uint64_t side = read_count("--side", options.side);
+  if (side < least || side > most)
+    throw Error(fmt::format("--side {}", side), fmt::format("it lies from {} to {}", least, most),
+                "take a side in between");
+  return static_cast<double>(side);
+}
+
+/// Rules that nobody has named: the tree's own extents where it was measured, else the thesis's.
+Drawing form_drawing(const DrawArguments& options, const RecordedTree& tree, const PicturePanel* grown,
+                     const Cancellation& cancellation) {
+  TreeLook look;
+  look.style = parse_tree_style(options.style);
+  look.by_order = options.color_by.empty() || parse_color_by(options.color_by);
+  const ShapeRules rules = grown == nullptr ? measured_rules(tree) : thesis_rules(tree.tree);
+  Stream chance({grown == nullptr ? 0 : grown->seed, 0}, 0, Lane::form);
+  const Shape shape = place_limbs(tree.tree, rules, chance, cancellation);
+  const std::vector<std::string> views =
+      options.sheet ? sheet_views() : std::vector{options.view.empty() ? "front" : options.view};
+  Sheet sheet(views.size(), 2, options.sheet, side_of(options));
+  for (const auto& view : views) {
+    look.view = parse_view(view);
+    sheet.add(options.sheet ? view : std::string(), tree.tree, shape, look, cancellation);
+  }
+  return sheet.drawing();
+}
+
+Drawing diagram(const DrawArguments& options, const RecordedTree& tree) {
+  if (!options.view.empty() || options.sheet || !options.color_by.empty())
+    throw Error("--view, --sheet or --color-by of a diagram",
+                "a node-link diagram lies in a plane, coloured by order",
+                "add --style branches for a form, or leave it out");
   const std::uint64_t leaf_order = read_count("--leaf-order", options.leaf_order);
   if (leaf_order > 1)
     throw Error(fmt::format("--leaf-order {}", leaf_order), "it is 0 or 1", "take one of these");
-  const NodeLinkStyle style{parse_form(options.style), static_cast<unsigned>(leaf_order),
-                            options.same_lengths};
-  const RecordedTree tree = tree_to_draw(options, file, cancellation);
+  NodeLinkStyle style{options.style.empty() ? NodeLinkStyle::Form::dendrogram : parse_form(options.style),
+                      static_cast<unsigned>(leaf_order), options.same_lengths};
+  if (!options.label.empty()) style.number = parse_node_number(options.label);
+  return node_link_diagram(tree, style);
+}
+
+Drawing tree_drawing(const DrawArguments& options, const DrawingFile& file,
+                     const Cancellation& cancellation) {
+  std::optional<PicturePanel> panel;
+  if (options.tree.empty()) panel = grown_panel(options);
+  const RecordedTree tree = panel ? grow_tree(*panel, file, cancellation) : read_tree(options);
   file.require_room(static_cast<double>(tree.tree.node_count()));
-  file.write(node_link_diagram(tree, style), cancellation);
+  if (is_form(options.style)) return form_drawing(options, tree, panel ? &*panel : nullptr, cancellation);
+  return diagram(options, tree);
+}
+
+PicturePreset asked_preset(const DrawArguments& options) {
+  PicturePreset preset = find_picture_preset(config_folder(options.configs, "draw"), options.preset);
+  PresetChange changes;
+  if (!options.n.empty()) changes.n = read_count("--n", options.n);
+  if (!options.seed.empty()) changes.seed = read_count("--seed", options.seed);
+  if (!options.replicate.empty()) changes.replicate = read_count("--replicate", options.replicate);
+  changes.view = options.view;
+  changes.style = options.style;
+  changes.color_by = options.color_by;
+  change(preset, changes);
+  if (options.sheet) show_in_sheet_views(preset);
+  return preset;
+}
+
+Drawing picture(const DrawArguments& options, const DrawingFile& file, const Cancellation& cancellation) {
+  const PicturePreset preset = asked_preset(options);
+  file.require_room(expected_nodes(preset));
+  for (const PicturePanel& panel : preset.panels) require_drawing_memory(panel);
+  return preset_drawing(preset, side_of(options), cancellation);
+}
+
+void print_table(const DrawArguments& options, const Cancellation& cancellation) {
+  const FormTable kind = parse_form_table(options.table);
+  if (options.preset.empty())
+    throw Error("--table without --preset", "it measures the form of a preset",
+                "name one, or measure a tree of a file with ramify measure");
+  const PicturePreset preset = asked_preset(options);
+  for (const PicturePanel& panel : preset.panels) require_drawing_memory(panel);
+  emit(form_table(preset, kind, cancellation), {options.output, false});
+}
+
+ExitCode draw(const DrawArguments& options, const Cancellation& cancellation) {
+  require_one_subject(options);
+  require_style(options.style);
+  if (!options.label.empty() && (is_form(options.style) || !options.preset.empty()))
+    throw Error("--label of a form", "numbers stand at the nodes of a diagram",
+                "take --tree or --model with --style dendrogram or upright");
+  if (!options.gallery.empty()) {
+    draw_gallery(options.gallery, config_folder(options.configs, "draw"), cancellation);
+    return ExitCode::done;
+  }
+  if (!options.table.empty()) {
+    print_table(options, cancellation);
+    return ExitCode::done;
+  }
+  if (options.output.empty())
+    throw Error("--output is required", "a drawing goes into a file", "add -o FILE.svg");
+  const DrawingFile file(options.output);
+  file.write(options.preset.empty() ? tree_drawing(options, file, cancellation)
+                                    : picture(options, file, cancellation),
+             cancellation);
   return ExitCode::done;
 }
 
@@ -93,7 +222,9 @@ ExitCode draw(const DrawArguments& options, const Cancellation& cancellation) {
 
 void add_draw(Program& program) {
   auto options = std::make_shared<DrawArguments>();
-  Verb verb = program.verb("draw", "Draw a tree as a node-link diagram, coloured by Horton-Strahler order");
+  Verb verb = program.verb(
+      "draw",
+      "Draw a tree: as a node-link diagram coloured by Horton-Strahler order, or in its botanical form");
   verb.option("--tree", options->tree, "file with a tree; - is standard input");
   verb.option("--format", options->format, "of the file, as of measure; auto: found by content",
               Need::defaulted);
@@ -103,16 +234,28 @@ void add_draw(Program& program) {
   verb.flag("--keep-unary", options->keep_unary, "keep one-child nodes instead of contracting them");
   verb.option("--model", options->model, "or grow a tree of this model; see: ramify list models");
   verb.option("--n", options->n, "its size");
-  verb.option("--seed", options->seed, "seed", Need::defaulted);
-  verb.option("--replicate", options->replicate, "the tree that sample --no-graft prints under this number",
-              Need::defaulted);
-  verb.option("--style", options->style,
-              "dendrogram (root at the left, right angles) or upright (root at the bottom)", Need::defaulted);
+  verb.option("--seed", options->seed, "seed; 1996 where it is left out, of a preset its own");
+  verb.option("--replicate", options->replicate,
+              "the tree that sample --no-graft prints under this number; 0 where it is left out");
+  verb.option("--preset", options->preset, "or draw a picture of the sources; see docs/gallery.md");
+  verb.option("--gallery", options->gallery, "or draw all of them into this new folder, with a page");
+  verb.option("--table", options->table,
+              "of a preset, measures of its form instead of a drawing: summary or orders");
+  verb.option("--configs", options->configs, "the folder that holds draw/, the presets");
+  verb.option(
+      "--style", options->style,
+      "dendrogram (root at the left, right angles; the usual one) or upright (root at the bottom); or "
+      "a form in space: lines, bars or branches");
+  verb.option("--view", options->view, "of a form: front, right, back, left, top, bottom or oblique");
+  verb.flag("--sheet", options->sheet, "of a form: four views in one drawing");
+  verb.option("--color-by", options->color_by, "of a form: order or bark");
+  verb.option("--side", options->side, "of the picture of a form, in pixels", Need::defaulted);
   verb.option("--leaf-order", options->leaf_order, "order of the tips in the key: 0 or 1", Need::defaulted);
+  verb.option("--label", options->label, "of a diagram: at every node its order, depth, leaves or balance");
   verb.flag("--same-lengths", options->same_lengths,
             "every branch as long as another, whatever the file says");
-  verb.option("-o,--output", options->output, "the drawing, FILE.svg or FILE.png, written in one step",
-              Need::required);
+  verb.option("-o,--output", options->output,
+              "the drawing, FILE.svg, FILE.pdf, FILE.ps or FILE.png, written in one step");
   verb.example("Example: ramify draw --model bst --n 200 -o bst.svg");
   verb.work([options](const Cancellation& cancellation) { return draw(*options, cancellation); });
 }

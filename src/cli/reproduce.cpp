@@ -2,6 +2,7 @@
 #include <iterator>
 #include <utility>
 
+#include "config_folder.hpp"
 #include "ledger_files.hpp"
 #include "run_flags.hpp"
 #include "served_configs.hpp"
@@ -23,15 +24,6 @@ struct ReproduceArguments {
   RunFlags flags;
 };
 
-/// configs/ of --configs, of the working directory, or of the place ramify was built or installed from.
-fs::path config_folder(const ReproduceArguments& options) {
-  if (!options.configs.empty()) return fs::path(options.configs) / options.scale;
-  for (const char* base : {"configs", RAMIFY_SOURCE_CONFIGS, RAMIFY_INSTALLED_CONFIGS})
-    if (fs::is_directory(fs::path(base) / options.scale)) return fs::path(base) / options.scale;
-  throw Error("no configs found", "neither ./configs nor the place ramify was built from has them",
-              "name the folder with --configs");
-}
-
 /// The claims of --claim, else all.
 std::vector<const Claim*> asked_for(const ReproduceArguments& options) {
   const auto asked = find_claims(options.claim);
@@ -42,8 +34,9 @@ std::vector<RunConfig> configs_of(const ReproduceArguments& options) {
   if (options.scale != "quick" && options.scale != "full")
     throw Error(fmt::format("--scale {}", options.scale), "there is no such scale",
                 "take quick (minutes) or full");
-  auto configs = serving(read_configs(config_files(config_folder(options)), options.flags.given_seed()),
-                         find_claims(options.claim));
+  auto configs = serving(
+      read_configs(config_files(config_folder(options.configs, options.scale)), options.flags.given_seed()),
+      find_claims(options.claim));
   if (configs.empty() && std::ranges::any_of(asked_for(options), &Claim::takes_trees))
     throw Error(fmt::format("nothing to run at scale {}", options.scale),
                 "no config serves what was asked for", "see: ramify list claims");
@@ -53,8 +46,8 @@ std::vector<RunConfig> configs_of(const ReproduceArguments& options) {
 /// Says which verdicts differ from the committed ones, results/reference/<scale>/verdicts.csv beside the
 /// configs; with the configs' own seeds none should.
 ExitCode compare_with_reference(const ReproduceArguments& options, const std::vector<Verdict>& verdicts) {
-  const fs::path reference =
-      config_folder(options) / "../../results/reference" / options.scale / "verdicts.csv";
+  const fs::path reference = config_folder(options.configs, options.scale) / "../../results/reference" /
+                             options.scale / "verdicts.csv";
   if (!options.flags.seed.empty() || !fs::exists(reference)) return ExitCode::done;
   std::vector<std::string_view> narrowed_to;
   for (const Claim* claim : find_claims(options.claim)) narrowed_to.push_back(claim->id);

@@ -275,7 +275,7 @@ BadLines bad_choices() {
       {"design --mean 0.3 --variance 0", "take a larger one"},
       {"design --mean 0.3 --variance 1e-15", "take a larger variance"},
       {"draw --model bst --n 20", "--output"},
-      {"draw --model bst --n 20 -o tree.pdf", "svg"},
+      {"draw --model bst --n 20 -o tree.gif", "svg"},
       {"draw --tree nothing.txt -o tree.svg", "cannot read 'nothing.txt'"},
       {"draw --model bst -o tree.svg", "--n"},
       {"draw -o tree.svg", "--tree"},

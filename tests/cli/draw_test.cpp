@@ -1,4 +1,8 @@
 // ramify draw: files that other programs open, the tree of sample, one line for whatever cannot be drawn.
+#include <chrono>
+#include <set>
+#include <thread>
+
 #include "program.hpp"
 #include <gtest/gtest.h>
 
@@ -43,6 +47,87 @@ TEST(Draw, GrowsTheTreeOfSample) {
   EXPECT_EQ(branches(read_file(scratch / "a.svg")), branches(read_file(scratch / "b.svg")));
 }
 
+TEST(Draw, EveryFormatIsWhatItsNameSays) {
+  const Scratch scratch;
+  const std::string tree = "draw --preset ginkgo -o ";
+  for (const auto& [name, begins] :
+       {std::pair("a.svg", "<?xml"), std::pair("a.pdf", "%PDF-"), std::pair("a.ps", "%!PS-Adobe")}) {
+    ASSERT_EQ(ramify(tree + (scratch / name).string()).code, 0);
+    EXPECT_TRUE(read_file(scratch / name).starts_with(begins)) << name;
+  }
+}
+
+// No clock in a picture, whatever its format; over a second, for dates are written to the second.
+TEST(Draw, TheSamePresetIsTheSameBytes) {
+  const Scratch scratch;
+  for (const std::string ending : {".svg", ".pdf", ".ps", ".png"}) {
+    ASSERT_EQ(ramify("draw --preset lightning -o " + (scratch / ("a" + ending)).string()).code, 0);
+    if (ending == ".pdf" || ending == ".ps") std::this_thread::sleep_for(std::chrono::milliseconds(1100));
+    ASSERT_EQ(ramify("draw --preset lightning -o " + (scratch / ("b" + ending)).string()).code, 0);
+    EXPECT_EQ(read_file(scratch / ("a" + ending)), read_file(scratch / ("b" + ending))) << ending;
+  }
+}
+
+TEST(Draw, OptionsChangeThePicture) {
+  const Scratch scratch;
+  std::set<std::string> pictures;
+  for (const std::string options : {"", "--n 300", "--seed 2", "--replicate 1", "--view top", "--style bars",
+                                    "--style lines", "--color-by order", "--sheet", "--side 500"}) {
+    const std::string file = (scratch / "a.svg").string();
+    ASSERT_EQ(ramify("draw --preset space_orders " + options + " -o " + file).code, 0);
+    pictures.insert(read_file(file));
+  }
+  EXPECT_EQ(pictures.size(), 10u);
+}
+
+// One row of each: the complete tree of 12 levels, whose squares have the first one's area at every level.
+TEST(Draw, TablesMeasureTheForm) {
+  const Ran orders = ramify("draw --preset pythagoras --table orders");
+  EXPECT_EQ(orders.code, 0);
+  EXPECT_EQ(count_lines(orders.out), 1u + 12);
+  EXPECT_NE(orders.out.find("\n1,complete,4095,1996,0,1,13,1,1,1,2,2\n"), std::string::npos) << orders.out;
+  const Ran summary = ramify("draw --preset pythagoras --table summary");
+  // 12 levels of sides 2/sqrt(2)^k: the ratio from order to order is sqrt(2).
+  EXPECT_NE(summary.out.find(",1.414213562,1.414213562\n"), std::string::npos) << summary.out;
+}
+
+TEST(Draw, MeasuredTreesHaveTheirOwnForm) {
+  const Scratch scratch;
+  for (const char* file : {"sapling.swc", "sapling.newick", "sapling.mtg"})
+    EXPECT_EQ(ramify(std::string("draw --style branches --tree data/examples/") + file + " -o " +
+                     (scratch / "a.svg").string())
+                  .code,
+              0)
+        << file;
+  EXPECT_EQ(
+      ramify("draw --style branches --sheet --model \"kary(3)\" --n 5 -o " + (scratch / "b.svg").string())
+          .code,
+      0);
+}
+
+// Some seconds: it draws every preset, as many are shown in docs/gallery.md.
+TEST(Draw, TheGalleryIsWholeAndThatOfTheDocumentation) {
+  const Scratch scratch;
+  const auto folder = scratch / "gallery";
+  ASSERT_EQ(ramify("draw --gallery " + folder.string()).code, 0);
+  EXPECT_FALSE(std::filesystem::exists(scratch / "gallery.incomplete"));
+  const std::string page = read_file(folder / "index.html");
+  std::size_t presets = 0;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::filesystem::path(RAMIFY_SOURCE) / "configs/draw")) {
+    if (entry.path().extension() != ".toml") continue;
+    const std::string name = entry.path().stem().string();
+    ++presets;
+    EXPECT_TRUE(std::filesystem::exists(folder / (name + ".svg"))) << name;
+    EXPECT_TRUE(std::filesystem::exists(folder / "thumbnails" / (name + ".png"))) << name;
+    EXPECT_NE(page.find("ramify draw --preset " + name + " -o"), std::string::npos) << name;
+  }
+  EXPECT_GE(presets, 40u);
+  const auto docs = std::filesystem::path(RAMIFY_SOURCE) / "docs";
+  EXPECT_EQ(read_file(folder / "gallery.md"), read_file(docs / "gallery.md"));
+  EXPECT_LT(std::filesystem::file_size(docs / "contact-sheet.png"), 2'000'000u);
+}
+
 struct Refusal {
   std::string arguments, message;
 };
@@ -54,6 +139,18 @@ TEST_P(Refused, InOneLineWithoutAFile) {
   scratch.file("two.nwk", "(a,b);\n(c,d);\n");
   scratch.file("nan.nwk", "(a:1,b);\n");
   scratch.file("negative.nwk", "(a:1,b:-2);\n");
+  scratch.file("radii.csv", "id,parent,length,radius\n1,,1,1\n2,1,1,\n3,1,1,1\n");
+  std::filesystem::create_directories(scratch / "presets" / "draw");
+  const auto preset = [&](const std::string& name, const std::string& radius, const std::string& length) {
+    scratch.file("presets/draw/" + name + ".toml",
+                 "title = \"a\"\nsource = \"b\"\nmodel = \"bst\"\nn = 20\n" + radius + '\n' + length +
+                     "\ndeviation = { rule = \"murray\" }\n");
+  };
+  const std::string one = "length = { rule = \"constant\", c = 1 }";
+  preset("wrong", "radius = { rule = \"constnt\", c = 1 }", one);
+  preset("angle", "radius = { rule = \"leaves_power\", c = 1, exponent = 1 }", one);
+  preset("zero", "radius = { rule = \"constant\", c = 0 }",
+         "length = { rule = \"radius_power\", c = 1, exponent = -1 }");
   const auto files = [&] {
     return std::distance(std::filesystem::directory_iterator(scratch.path()),
                          std::filesystem::directory_iterator());
@@ -69,22 +166,42 @@ TEST_P(Refused, InOneLineWithoutAFile) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, Refused,
-    testing::Values(Refusal{"--model bst --n 10 -o a.pdf", "take a name that ends in .svg or .png"},
-                    Refusal{"--model bst --n 10 -o a", "take a name that ends in .svg or .png"},
-                    Refusal{"--model bst --n 10", "--output is required"},
-                    Refusal{"-o a.svg", "neither --tree nor --model"},
-                    Refusal{"--tree two.nwk --model bst --n 3 -o a.svg", "--tree and --model"},
-                    Refusal{"--model bst -o a.svg", "add --n"},
-                    Refusal{"--model bst --n 1e6 -o a.svg", "take a name that ends in .png"},
-                    Refusal{"--model bst --n 1e9 -o a.svg", "take a smaller tree"},
-                    Refusal{"--model bst --n 1e9 -o a.png", "take a smaller tree"},
-                    Refusal{"--model bst --n 10 --style star -o a.svg", "take dendrogram or upright"},
-                    Refusal{"--model bst --n 10 --leaf-order 2 -o a.svg", "it is 0 or 1"},
-                    Refusal{"--tree two.nwk -o a.svg", "add --which K, K from 1 to 2"},
-                    Refusal{"--tree two.nwk --which 3 -o a.svg", "take a number from 1 to 2"},
-                    Refusal{"--tree negative.nwk -o a.svg", "has the length -2"},
-                    Refusal{"--tree none.nwk -o a.svg", "none.nwk"},
-                    Refusal{"--model bst --n 10 -o nowhere/a.svg", "create its folder"}),
+    testing::Values(
+        Refusal{"--model bst --n 10 -o a.gif", "take a name that ends in .svg, .pdf, .ps or .png"},
+        Refusal{"--model bst --n 10 -o a", "take a name that ends in .svg, .pdf, .ps or .png"},
+        Refusal{"--model bst --n 10", "--output is required"},
+        Refusal{"-o a.svg", "neither --tree nor --model"},
+        Refusal{"--tree two.nwk --model bst --n 3 -o a.svg", "--tree and --model"},
+        Refusal{"--model bst -o a.svg", "add --n"},
+        Refusal{"--model bst --n 1e6 -o a.svg", "take a name that ends in .png"},
+        Refusal{"--model bst --n 1e9 -o a.svg", "take a smaller tree"},
+        Refusal{"--model bst --n 1e9 -o a.png", "take a smaller tree"},
+        Refusal{"--model bst --n 10 --style star -o a.svg", "take dendrogram or upright"},
+        Refusal{"--model bst --n 10 --leaf-order 2 -o a.svg", "it is 0 or 1"},
+        Refusal{"--tree two.nwk -o a.svg", "add --which K, K from 1 to 2"},
+        Refusal{"--tree two.nwk --which 3 -o a.svg", "take a number from 1 to 2"},
+        Refusal{"--tree negative.nwk -o a.svg", "has the length -2"},
+        Refusal{"--tree none.nwk -o a.svg", "none.nwk"},
+        Refusal{"--model bst --n 10 -o nowhere/a.svg", "create its folder"},
+        Refusal{"--model bst --n 1e6 --style branches -o a.pdf", "take a name that ends in .png"},
+        Refusal{"--preset aple_life -o a.svg", "did you mean apple_life"},
+        Refusal{"--preset apple_life", "--output is required"},
+        Refusal{"--preset apple_life --model bst --n 3 -o a.svg", "--model and --preset"},
+        Refusal{"--preset apple_life --style upright -o a.svg", "take lines, bars or branches"},
+        Refusal{"--preset apple_life --view frnt -o a.svg", "did you mean front"},
+        Refusal{"--preset apple_life --sheet -o a.svg", "leave --sheet out"},
+        Refusal{"--preset beta_large --n 1e6 -o a.svg", "take a name that ends in .png"},
+        Refusal{"--preset apple_life --configs . -o a.svg", "no presets in './draw'"},
+        Refusal{"--preset wrong --configs presets -o a.svg", "presets/draw/wrong.toml:5:19: no rule"},
+        Refusal{"--preset angle --configs presets -o a.svg",
+                "presets/draw/angle.toml: Murray's angle of radii"},
+        Refusal{"--preset zero --configs presets -o a.svg", "change the constants of its rule"},
+        Refusal{"--model bst --n 10 --view top -o a.svg", "add --style branches"},
+        Refusal{"--model bst --n 10 --style branches --side 3 -o a.svg", "it lies from 50"},
+        Refusal{"--tree radii.csv --style branches -o a.svg", "has the radius nan"},
+        Refusal{"--tree negative.nwk --style branches -o a.svg", "has the length -2"},
+        Refusal{"--gallery two.nwk", "it exists"},
+        Refusal{"--gallery new --configs presets", "presets/draw/angle.toml"}),
     [](const auto& refusal) { return name_of({std::to_string(refusal.index)}); });
 
 }  // namespace

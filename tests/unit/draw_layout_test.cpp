@@ -121,6 +121,31 @@ TEST(NodeLink, ALengthThatIsNoneIsRefused) {
       "");
 }
 
+// ((tip, tip), (tip, (tip, tip))): by hand.
+TEST(NodeLink, NumbersStandAtTheNodes) {
+  const Tree tree({2, 2, 0, 0, 2, 0, 2, 0, 0});
+  using Numbers = std::vector<std::uint64_t>;
+  EXPECT_EQ(node_numbers(tree, NodeNumber::order, 0), (Numbers{2, 1, 0, 0, 1, 0, 1, 0, 0}));
+  EXPECT_EQ(node_numbers(tree, NodeNumber::order, 1), (Numbers{3, 2, 1, 1, 2, 1, 2, 1, 1}));
+  EXPECT_EQ(node_numbers(tree, NodeNumber::depth, 1), (Numbers{1, 2, 3, 3, 2, 3, 3, 4, 4}));
+  EXPECT_EQ(node_numbers(tree, NodeNumber::leaves, 1), (Numbers{5, 2, 1, 1, 3, 1, 2, 1, 1}));
+  EXPECT_EQ(node_numbers(tree, NodeNumber::balance, 1), (Numbers{2, 1, 0, 0, 1, 0, 1, 0, 0}));
+  EXPECT_NE(test::error_of([] { parse_node_number("debth"); }).find("did you mean depth"), std::string::npos);
+  const Drawing drawing = node_link_diagram({"small", tree, {}, {}, {}}, {.number = NodeNumber::leaves});
+  const auto& discs = drawing.strokes[3].lines;  // after those of orders 0 to 2
+  ASSERT_EQ(discs.size(), 9u);
+  EXPECT_EQ(drawing.labels[0].text, "5");
+  EXPECT_EQ(drawing.labels[0].place.x, discs[0].from.x);
+  EXPECT_EQ(drawing.labels[0].place.y, discs[0].to.y);
+  std::vector<std::uint32_t> bush{301};
+  bush.insert(bush.end(), 301, 0);
+  const RecordedTree large{"bush", Tree(bush), {}, {}, {}};
+  EXPECT_NE(test::error_of([&] {
+              node_link_diagram(large, {.number = NodeNumber::order});
+            }).find("leave --label out"),
+            std::string::npos);
+}
+
 TEST(NodeLink, OneNodeIsADrawing) {
   const Drawing drawing = node_link_diagram({"tip", Tree({0}), {}, {}, {}}, {});
   EXPECT_EQ(drawing.strokes[0].lines.size(), 1u);

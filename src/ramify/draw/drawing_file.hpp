@@ -1,19 +1,24 @@
 #pragma once
 
-#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 
 #include "ramify/core/cancellation.hpp"
 #include "ramify/draw/drawing.hpp"
-#include "ramify/io/picture_format.hpp"
 
 namespace ramify {
 
 /// The drawing as an SVG document, by Cairo. Throws Error where Cairo fails, Interrupted when cancelled.
 std::string svg_of(const Drawing& drawing, const Cancellation& cancellation);
 
-/// A file for one drawing, SVG or PNG (a pixel a unit) as its name ends; by Cairo.
+enum class DrawingFormat : std::uint8_t { svg, pdf, postscript, png };
+
+/// As the name ends: .svg, .pdf, .ps or .png. Throws Error for another ending.
+DrawingFormat drawing_format(const std::filesystem::path& path);
+
+/// A file for one drawing, SVG, PDF, PostScript or PNG (a pixel a unit) as its name ends; by Cairo. The same
+/// bytes for the same drawing.
 class DrawingFile {
  public:
   /// Throws Error for a name with another ending.
@@ -27,8 +32,10 @@ class DrawingFile {
   void write(const Drawing& drawing, const Cancellation& cancellation) const;
 
  private:
+  std::string bytes_of(const Drawing& drawing, const Cancellation& cancellation) const;
+
   std::filesystem::path path_;
-  PictureFormat format_;
+  DrawingFormat format_;
 };
 
 }  // namespace ramify

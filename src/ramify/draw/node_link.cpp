@@ -61,6 +61,9 @@ class Diagram {
     if (!std::isfinite(layout_.length))
       throw Error(fmt::format("{}: the lengths from root to tip", tree.name),
                   "their sum is no number any more", "add --same-lengths");
+    if (style.number && tips_ > most_named_tips)
+      throw Error(fmt::format("--label on {:.0f} tips", tips_),
+                  fmt::format("numbers are legible on {} at most", most_named_tips), "leave --label out");
     const bool is_named = tips_ <= most_named_tips && !tree.names.empty();
     for (std::size_t node = 0; is_named && node < tree.tree.node_count(); ++node)
       if (is_tip(node))
@@ -79,6 +82,7 @@ class Diagram {
     page_ = {std::max(width, extent_along) + 2 * margin, height + 2 * margin + head + bar, {}, {}};
     add_branches();
     add_names();
+    if (style_.number) add_numbers();
     add_head();
     if (!lengths_.empty()) add_bar();
     return std::move(page_);
@@ -86,6 +90,9 @@ class Diagram {
 
  private:
   bool is_tip(std::size_t node) const { return tree_.tree.arity(node) == 0; }
+
+  /// From a tip to its name: past its number where it has one.
+  double name_gap() const { return style_.number ? 12 : 5; }
 
   double scale_along() const { return layout_.length > 0 ? extent_along / layout_.length : 0; }
 
@@ -121,10 +128,23 @@ class Diagram {
     for (std::size_t node = 0; node < tree_.tree.node_count(); ++node) {
       if (!is_tip(node) || tree_.names[node].empty()) continue;
       PagePoint at = place(layout_.along[node], layout_.across[node]);
-      (style_.form == Form::upright ? at.y : at.x) += style_.form == Form::upright ? -5 : 5;
+      (style_.form == Form::upright ? at.y : at.x) += style_.form == Form::upright ? -name_gap() : name_gap();
       page_.labels.push_back(
           {at, label_text(tree_.names[node]), name_size, Label::Anchor::start, style_.form == Form::upright});
     }
+  }
+
+  /// Each on a white disc, which is a line without length: strokes have round ends.
+  void add_numbers() {
+    constexpr double disc = 15;
+    Stroke discs{{1, 1, 1}, disc, {}};
+    const auto numbers = node_numbers(tree_.tree, *style_.number, style_.leaf_order);
+    for (std::size_t node = 0; node < numbers.size(); ++node) {
+      const PagePoint at = place(layout_.along[node], layout_.across[node]);
+      discs.lines.push_back({at, at});
+      page_.labels.push_back({at, fmt::format("{}", numbers[node]), name_size, Label::Anchor::middle});
+    }
+    page_.strokes.push_back(std::move(discs));
   }
 
   void add_head() {

@@ -41,6 +41,7 @@ th{background:var(--soft);font-weight:600}
 .bad{color:var(--bad)}
 .open{color:var(--open)}
 figure{margin:1rem 0;max-width:62rem}
+figure img{max-width:100%;height:auto;background:#fff;border:1px solid var(--rule);border-radius:4px}
 figure .wide{background:#fff;border:1px solid var(--rule);border-radius:4px;margin:0}
 svg{display:block;width:100%;min-width:34rem;height:auto}
 figcaption,footer{color:var(--muted)}

@@ -50,6 +50,13 @@ class HtmlWriter {
     text_ += fmt::format("<figcaption>{}</figcaption>\n</figure>\n", html_text(picture.caption));
   }
 
+  void operator()(const PageThumbnail& picture) {
+    text_ +=
+        fmt::format("<figure>\n<a href=\"{}\"><img src=\"{}\" alt=\"{}\"></a>\n", html_text(picture.leads_to),
+                    html_text(picture.file), html_text(picture.alternative));
+    text_ += fmt::format("<figcaption>{}</figcaption>\n</figure>\n", html_text(picture.caption));
+  }
+
   void operator()(const PageCommands& commands) {
     std::string lines;
     for (const auto& line : commands.lines) lines += line + '\n';

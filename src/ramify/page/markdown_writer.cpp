@@ -72,6 +72,11 @@ class MarkdownWriter {
                          markdown_text(picture.alternative));
   }
 
+  void operator()(const PageThumbnail& picture) {
+    text_ += fmt::format("[![{}]({})]({})\n\n{}\n\n", markdown_text(picture.alternative), picture.file,
+                         picture.leads_to, markdown_text(picture.caption));
+  }
+
   void operator()(const PageCommands& commands) {
     for (const auto& line : commands.lines) add_indented(line);
     text_ += '\n';

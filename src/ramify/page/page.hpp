@@ -45,6 +45,14 @@ struct PagePicture {
   std::string caption;
 };
 
+/// A picture in a file beside the page, which leads to another: a thumbnail.
+struct PageThumbnail {
+  std::string file;
+  std::string leads_to;     ///< file
+  std::string alternative;  ///< what it shows, for whoever does not see it
+  std::string caption;
+};
+
 /// What is typed to get the same again, a command a line.
 struct PageCommands {
   std::vector<std::string> lines;
@@ -56,7 +64,8 @@ struct PageVerbatim {
   std::string text;
 };
 
-using PageBlock = std::variant<PageParagraph, PageList, PageTable, PagePicture, PageCommands, PageVerbatim>;
+using PageBlock =
+    std::variant<PageParagraph, PageList, PageTable, PagePicture, PageThumbnail, PageCommands, PageVerbatim>;
 
 struct PageSection {
   std::string heading;

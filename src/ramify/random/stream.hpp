@@ -17,6 +17,7 @@ enum class Lane : std::uint64_t {
   growth = 0,         ///< the tree
   walk = 1,           ///< choices a fold makes on the finished tree (the walk to the last node)
   external_walk = 2,  ///< the walk to an external node
+  form = 3,           ///< the form that rules of shape give a grown tree
 };
 
 /// A counter-based stream of 64-bit words: Philox4x64-10 (Salmon et al. 2011) of the counter

@@ -1,0 +1,86 @@
+#include "ramify/gallery/panel_reader.hpp"
+
+#include <array>
+#include <cstdint>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "ramify/gallery/look_reader.hpp"
+
+namespace ramify::detail {
+namespace {
+
+constexpr std::array<std::string_view, 18> all_panel_keys{
+    "caption",  "model",  "n",         "seed",         "replicate", "main",
+    "radius",   "length", "deviation", "plane",        "tropism",   "arrangement",
+    "azimuths", "joint",  "mirrors",   "foreshortens", "view",      "look"};
+
+constexpr Expected caption_wanted{"a text", "caption = \"n = 100\""};
+constexpr Expected model_wanted{"a model", "model = \"bst\""};
+constexpr Expected size_wanted{"a whole number", "n = 500"};
+constexpr Expected number_wanted{"a whole number", "seed = 1996"};
+constexpr Expected panels_wanted{"a list of tables", "[[panel]] before the keys of each"};
+
+constexpr std::uint64_t usual_seed = 1996;
+
+/// An @ in a model's text is the folder of the preset: a matrix lies beside it.
+Model read_model(const TomlValue& value) {
+  std::string text = value.text(model_wanted);
+  if (const auto at = text.find('@'); at != std::string::npos)
+    text.replace(at, 1, (std::filesystem::path(value.file()).parent_path() / "").string());
+  try {
+    return Model::parse(text);
+  } catch (const Error& error) {
+    throw located(error, value.where());
+  }
+}
+
+PicturePanel read_panel(std::string_view file, const FindKey& find) {
+  const auto required = [&](std::string_view key) {
+    if (auto value = find(key)) return *std::move(value);
+    throw error_at({std::string(file), 0, 0}, fmt::format("no '{}'", key), "a picture is of a tree",
+                   "add it; docs/draw.md has an example");
+  };
+  const TomlValue model = required("model"), n = required("n");
+  PicturePanel panel{{},
+                     read_model(model),
+                     n.whole(0, INT64_MAX, size_wanted),
+                     usual_seed,
+                     0,
+                     read_rules(file, find),
+                     read_look(find)};
+  try {
+    panel.model.require_size(panel.n);
+  } catch (const Error& error) {
+    throw located(error, n.where());
+  }
+  if (const auto caption = find("caption")) panel.caption = caption->text(caption_wanted);
+  if (const auto seed = find("seed")) panel.seed = seed->whole(0, INT64_MAX, number_wanted);
+  if (const auto replicate = find("replicate"))
+    panel.replicate = replicate->whole(0, INT64_MAX, number_wanted);
+  return panel;
+}
+
+}  // namespace
+
+std::span<const std::string_view> panel_keys() {
+  return all_panel_keys;
+}
+
+std::vector<PicturePanel> read_panels(std::string_view file, const TomlTable& preset) {
+  const auto panels = preset.find("panel");
+  if (!panels) return {read_panel(file, [&](std::string_view key) { return preset.find(key); })};
+  std::vector<PicturePanel> read;
+  for (const auto& element : panels->elements(panels_wanted)) {
+    const TomlTable own(file, element.table(panels_wanted));
+    own.require_known("a [[panel]] table", all_panel_keys);
+    read.push_back(read_panel(file, [&](std::string_view key) {
+      auto value = own.find(key);
+      return value ? value : preset.find(key);
+    }));
+  }
+  return read;
+}
+
+}  // namespace ramify::detail

@@ -1,0 +1,58 @@
+#include "ramify/gallery/preset_drawing.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "ramify/draw/sheet.hpp"
+#include "ramify/shape/place_limbs.hpp"
+#include "ramify/tabulate/tree_batch.hpp"
+#include "ramify/text/located_error.hpp"
+
+namespace ramify {
+namespace {
+
+/// Rules know nothing of files.
+Shape shape_of(const PicturePreset& preset, const PicturePanel& panel, const Tree& tree,
+               const Cancellation& cancellation) {
+  try {
+    return panel_shape(panel, tree, cancellation);
+  } catch (const Error& error) {
+    throw located(error, {preset.file, 0, 0});
+  }
+}
+
+}  // namespace
+
+RecordedTree panel_tree(const PicturePanel& panel, const Cancellation& cancellation) {
+  const TreeBatch batch{panel.model, panel.n, panel.seed, 1, false};
+  return std::move(batch.grown(panel.replicate, panel.replicate + 1, cancellation).front());
+}
+
+Shape panel_shape(const PicturePanel& panel, const Tree& tree, const Cancellation& cancellation) {
+  Stream chance({panel.seed, panel.model.stream_cell(panel.n)}, panel.replicate, Lane::form);
+  return place_limbs(tree, panel.rules, chance, cancellation);
+}
+
+double expected_nodes(const Model& model, Size n) {
+  return model.is_split() ? 2 * static_cast<double>(n) + 1 : model.grown().expected_nodes(n);
+}
+
+double expected_nodes(const PicturePreset& preset) {
+  double nodes = 0;
+  for (const PicturePanel& panel : preset.panels) nodes += expected_nodes(panel.model, panel.n);
+  return nodes;
+}
+
+Drawing preset_drawing(const PicturePreset& preset, double side, const Cancellation& cancellation) {
+  const bool has_captions =
+      std::ranges::any_of(preset.panels, [](const PicturePanel& panel) { return !panel.caption.empty(); });
+  Sheet sheet(preset.panels.size(), preset.columns, has_captions, side);
+  for (const PicturePanel& panel : preset.panels) {
+    const RecordedTree tree = panel_tree(panel, cancellation);
+    sheet.add(panel.caption, tree.tree, shape_of(preset, panel, tree.tree, cancellation), panel.look,
+              cancellation);
+  }
+  return sheet.drawing();
+}
+
+}  // namespace ramify

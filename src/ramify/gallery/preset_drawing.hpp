@@ -1,0 +1,28 @@
+#pragma once
+
+#include "ramify/core/cancellation.hpp"
+#include "ramify/draw/drawing.hpp"
+#include "ramify/gallery/picture_preset.hpp"
+#include "ramify/shape/shape.hpp"
+#include "ramify/tree/recorded_tree.hpp"
+
+namespace ramify {
+
+/// The tree of a panel: that of the row `ramify sample --no-graft` prints for its model, n, seed and
+/// replicate. Throws Interrupted.
+RecordedTree panel_tree(const PicturePanel& panel, const Cancellation& cancellation);
+
+/// The form that the panel's rules give its tree. What is random in them comes from a stream of the tree's
+/// own.
+Shape panel_shape(const PicturePanel& panel, const Tree& tree, const Cancellation& cancellation);
+
+/// Nodes of a tree, external ones counted, so that what is too much is refused before it is grown; expected
+/// where they are random. Of a preset, those of all its trees.
+double expected_nodes(const Model& model, Size n);
+double expected_nodes(const PicturePreset& preset);
+
+/// A sheet: every panel in a box of the same size (G12), row by row, its caption below. Throws Interrupted.
+/// @param side  of a picture of one panel, in units of the page
+Drawing preset_drawing(const PicturePreset& preset, double side, const Cancellation& cancellation);
+
+}  // namespace ramify
