@@ -2,8 +2,6 @@
 
 #include <cstring>
 
-#define OMPI_SKIP_MPICXX 1
-#define MPICH_SKIP_MPICXX 1
 #include <mpi.h>
 
 namespace ramify {
