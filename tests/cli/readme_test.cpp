@@ -14,12 +14,16 @@ constexpr bool has_mpi = true;
 constexpr bool has_mpi = false;
 #endif
 
+bool starts_ramify_by_mpirun(const std::string& line) {
+  return line.starts_with("    mpirun ") && line.find(" ramify ") != std::string::npos;
+}
+
 /// The commands that a page shows.
 std::vector<std::string> commands_of(const std::string& page) {
   std::vector<std::string> found;
   std::istringstream lines(read_file(std::filesystem::path(RAMIFY_SOURCE) / page));
   for (std::string line; std::getline(lines, line);)
-    if (line.starts_with("    ramify ") || (has_mpi && line.starts_with("    mpirun ")))
+    if (line.starts_with("    ramify ") || (has_mpi && starts_ramify_by_mpirun(line)))
       found.push_back(line.substr(4));
   return found;
 }

@@ -105,8 +105,9 @@ TEST(Run, IsSilentOnStandardErrorWhenPipedExceptForItsClosingLines) {
 TEST(Run, StopsAtASignalAndSaysWhereTheCompleteCellsAre) {
   const Scratch scratch;
   const std::string config = scratch.file("slow.toml",
-                                          "models=[\"bst\"]\nn=[100, 3000000]\nreplicates=10000\n"
-                                          "statistics=[\"strahler\"]\ngraft=false\n");
+                                          "replicates=10000\nstatistics=[\"strahler\"]\ngraft=false\n"
+                                          "[[cells]]\nmodels=[\"bst\"]\nn=[100]\n"
+                                          "[[cells]]\nmodels=[\"catalan\"]\nn=[3000000]\n");
   const std::string out = (scratch / "o").string(), work = out + "/slow.incomplete";
   const Ran stopped =
       shell(std::string(RAMIFY_PROGRAM) + " run " + config + " --out " + out + " & run=$!; until [ -s " +
