@@ -7,8 +7,8 @@
 #include <numeric>
 #include <thread>
 
+#include "cpu_time.hpp"
 #include <fmt/format.h>
-#include <sys/resource.h>
 
 #include "ramify/ranks/joined_team.hpp"
 #include "ramify/run/block_store.hpp"
@@ -21,16 +21,6 @@ constexpr std::size_t blocks = 5000;
 constexpr unsigned threads = 8;               // of a rank; they sleep
 constexpr std::chrono::milliseconds nap{16};  // of 2 x 8 threads: 1,000 blocks a second
 
-/// Of this process, all of its threads.
-double cpu_seconds_so_far() {
-  rusage used{};
-  getrusage(RUSAGE_SELF, &used);
-  const auto seconds = [](const timeval& t) {
-    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-  };
-  return seconds(used.ru_utime) + seconds(used.ru_stime);
-}
-
 Plan plan_of_a_cell() {
   const std::vector<std::string> names{"strahler", "height", "streams", "streams_mean_ratio"};
   const StatisticSet statistics = StatisticSet::parse(names);
@@ -41,13 +31,10 @@ Plan plan_of_a_cell() {
 GrownBlock first_block(const Plan& plan) {
   GrownBlock first;
   const Cancellation never;
-  const Cell& cell = plan.cells[0];
-  grow_blocks({{cell.model, cell.n, plan.seed, plan.method, 0, 1}}, 1, never,
-              [&](const Block& block, const BlockTrees& trees) {
-                CellAccumulator sums(plan.statistics, cell.model.largest_order(cell.n));
-                trees.each([&](std::uint64_t, const TreeMeasures& measures) { sums.add(measures); });
-                first = {block, sums.sums()};
-              });
+  std::vector<GrowingJob> jobs = jobs_of(plan);
+  jobs.front().last = 1;
+  grow_blocks(jobs, 1, never,
+              [&](const Block& block, const BlockTrees& trees) { first = grown_block(plan, block, trees); });
   return first;
 }
 
@@ -66,10 +53,8 @@ void lead(JoinedTeam& team, const char* what, const std::function<void(std::size
   work.take = [&](std::size_t item, const Bytes&) { keep(item); };
   const Cancellation never;
   const auto begin = std::chrono::steady_clock::now();
-  const double cpu = cpu_seconds_so_far();
-  team.share(work, threads, never);
+  const double spent = cpu_seconds([&] { team.share(work, threads, never); });
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
-  const double spent = cpu_seconds_so_far() - cpu;
   if (team.leads())
     fmt::print("{}: {:.0f} blocks/s of {} bytes, {:.1f} us of rank 0 a block, {:.2f} % of a core\n", what,
                blocks / wall.count(), sent.size(), 1e6 * spent / blocks, 100 * spent / wall.count());

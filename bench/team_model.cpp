@@ -5,7 +5,6 @@
 // nothing to do, messages a second, how busy rank 0 is with them. Costs: each cell's first block is grown,
 // its tables too; a block of the cell takes as long.
 #include <algorithm>
-#include <cstdlib>
 #include <queue>
 #include <vector>
 
@@ -32,31 +31,24 @@ struct CellCost {
 };
 
 /// Both measured: tables are made, and the first block grown.
-CellCost cost_of(const GrowingJob& job, const Plan& plan, std::size_t model) {
+/// @param place  of the job in the plan
+CellCost cost_of(const GrowingJob& job, const Plan& plan, std::size_t place) {
   const Cancellation never;
   std::unique_ptr<TreeSampler> sampler;
-  CellCost cost{0, 0, model};
+  const auto same = std::ranges::find(plan.cells, job.model, &Cell::model);
+  CellCost cost{0, 0, static_cast<std::size_t>(same - plan.cells.begin())};
   cost.tables = cpu_seconds([&] { sampler = make_tree_sampler({job.model, job.method, job.n, &never}); });
-  cost.block = cpu_seconds([&] {
-    CellAccumulator sums(plan.statistics, job.model.largest_order(job.n));
-    BlockTrees(job, blocks_of(job, 0).front(), *sampler, never)
-        .each([&](std::uint64_t, const TreeMeasures& measures) { sums.add(measures); });
-  });
+  const Block first = blocks_of(job, place).front();
+  cost.block = cpu_seconds([&] { grown_block(plan, first, BlockTrees(job, first, *sampler, never)); });
   return cost;
 }
 
 /// The blocks of a plan in the order in which they are handed out, with the cost of each.
-std::vector<CellCost> items_of(const Plan& plan, double trees_times) {
-  std::vector<GrowingJob> jobs;
-  for (const Cell& cell : plan.cells)
-    jobs.push_back({cell.model, cell.n, plan.seed, plan.method, 0,
-                    static_cast<std::uint64_t>(static_cast<double>(cell.replicates) * trees_times)});
+std::vector<CellCost> items_of(const Plan& plan) {
+  const std::vector<GrowingJob> jobs = jobs_of(plan);
   std::vector<CellCost> items;
-  for (const std::size_t j : order_of(jobs)) {
-    const auto same = std::ranges::find(plan.cells, jobs[j].model, &Cell::model);
-    const CellCost cost = cost_of(jobs[j], plan, static_cast<std::size_t>(same - plan.cells.begin()));
-    items.insert(items.end(), blocks_of(jobs[j], j).size(), cost);
-  }
+  for (const std::size_t j : order_of(jobs))
+    items.insert(items.end(), blocks_of(jobs[j], j).size(), cost_of(jobs[j], plan, j));
   return items;
 }
 
@@ -139,17 +131,11 @@ void play(const std::vector<std::vector<CellCost>>& configs) {
 }
 
 void run(int argc, char** argv) {
-  double times = 1;
   std::vector<std::vector<CellCost>> configs;
   std::size_t blocks = 0;
   double work = 0, longest = 0, tables = 0;
   for (int i = 1; i < argc; ++i) {
-    const std::string argument = argv[i];
-    if (argument.starts_with("--times=")) {
-      times = std::atof(argument.c_str() + 8);
-      continue;
-    }
-    configs.push_back(items_of(make_plan(read_run_config(argument)), times));
+    configs.push_back(items_of(make_plan(read_run_config(argv[i]))));
     blocks += configs.back().size();
     for (const CellCost& item : configs.back()) {
       work += item.block;

@@ -19,6 +19,7 @@
 #include "ramify/gallery/preset_drawing.hpp"
 #include "ramify/shape/place_limbs.hpp"
 #include "ramify/shape/usual_rules.hpp"
+#include "ramify/tabulate/tree_batch.hpp"
 #include "ramify/text/read_count.hpp"
 #include "ramify/tree/contract_unary.hpp"
 

@@ -16,6 +16,9 @@ struct Ran {
   std::string err;
 };
 
+/// What Open MPI's mpirun wants to hear before it runs as root, as CI does.
+inline const std::string mpi_as_root = "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 ";
+
 /// A folder of one test's own, removed at the end.
 class Scratch {
  public:

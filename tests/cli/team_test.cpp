@@ -10,11 +10,9 @@
 namespace ramify::test {
 namespace {
 
-/// Not bound to cores: a test may ask for more threads than there are. As root, as CI is; --quiet: without
-/// mpirun's own words on a process that failed.
-const std::string mpirun =
-    "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 timeout 120 mpirun --quiet --oversubscribe "
-    "--bind-to none";
+/// Not bound to cores: a test may ask for more threads than there are. --quiet: without mpirun's own words on
+/// a process that failed.
+const std::string mpirun = mpi_as_root + "timeout 120 mpirun --quiet --oversubscribe --bind-to none";
 
 Ran team(unsigned ranks, const std::string& arguments) {
   return shell(fmt::format("{} -n {} {} {}", mpirun, ranks, RAMIFY_PROGRAM, arguments));

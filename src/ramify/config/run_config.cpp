@@ -34,11 +34,7 @@ StatisticSet read_statistics(const TomlValue& statistics) {
   std::vector<std::string> names;
   for (const auto& element : statistics.elements(statistics_wanted)) {
     names.push_back(element.text(statistics_wanted));
-    try {
-      set = StatisticSet::parse(names);
-    } catch (const Error& error) {
-      throw located(error, element.where());
-    }
+    set = at_place(element, [&] { return StatisticSet::parse(names); });
   }
   return set;
 }
@@ -85,12 +81,10 @@ class GroupReader {
   }
 
   void check_cell(const Placed<Model>& model, const Placed<Size>& size, const ReplicateRule& rule) {
-    try {
+    at_place(size.place, [&] {
       model.value.require_size(size.value);
       rule.count(size.value);
-    } catch (const Error& error) {
-      throw located(error, size.place.where());
-    }
+    });
     if (!seen_.insert(model.value.stream_cell(size.value)).second)
       size.place.fail(fmt::format("{} with n = {} twice", model.value.text(), size.value),
                       "the same cell would draw the same trees again", "remove one of them");

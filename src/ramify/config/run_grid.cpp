@@ -26,16 +26,6 @@ constexpr Expected trees_wanted{"a whole number", "a number of trees, such as 20
 constexpr std::uint64_t most_trees = INT64_MAX;
 constexpr std::string_view bound_prefix = "to_";
 
-/// Calls make; an Error it throws gets the place of value.
-template <class Make>
-auto at_place(const TomlValue& value, Make make) {
-  try {
-    return make();
-  } catch (const Error& error) {
-    throw located(error, value.where());
-  }
-}
-
 TomlValue require_key(const TomlTable& table, const TomlValue& owner, std::string_view key,
                       const Expected& expected) {
   if (auto value = table.find(key)) return *std::move(value);

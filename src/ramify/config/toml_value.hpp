@@ -55,6 +55,16 @@ class TomlValue {
   const toml::node* node_;
 };
 
+/// What make() gives; an Error that it throws gets the place of the value.
+template <class Make>
+auto at_place(const TomlValue& value, Make make) {
+  try {
+    return make();
+  } catch (const Error& error) {
+    throw located(error, value.where());
+  }
+}
+
 /// A table whose keys are all known.
 class TomlTable {
  public:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <span>
 
 #include "ramify/core/contract.hpp"
@@ -222,7 +223,7 @@ class Picture {
     const double size = 0.45 * leaf_length_;
     if (look_.has_fruit) return add_disc(drawing_.patches, fruit_color, {place.x, place.y + size}, size);
     for (int petal = 0; petal < 5; ++petal) {
-      const double angle = 2 * std::acos(-1.0) * petal / 5;
+      const double angle = 2 * std::numbers::pi * petal / 5;
       const PagePoint from_heart{0.6 * size * std::sin(angle), -0.6 * size * std::cos(angle)};
       add_disc(drawing_.patches, petal_color, place + from_heart, 0.55 * size);
     }

@@ -28,21 +28,14 @@ Color read_color(const TomlValue& value) {
 }
 
 double read_part(const TomlValue& value, double least, double most) {
-  const double number = value.real(part_wanted);
-  if (number >= least && number <= most) return number;
-  value.fail(fmt::format("{} = {:g}", value.key(), number),
-             fmt::format("it lies from {:g} to {:g}", least, most), "take a number in between");
+  return read_between(value, least, most, part_wanted);
 }
 
-/// A word that a function knows, its error with the place.
+/// A word that a function knows.
 template <class Parse>
 auto read_word(const TomlValue& value, Parse parse) {
   const std::string text = value.text(style_wanted);
-  try {
-    return parse(text);
-  } catch (const Error& error) {
-    throw located(error, value.where());
-  }
+  return at_place(value, [&] { return parse(text); });
 }
 
 LeafLook read_leaves(const TomlValue& value) {

@@ -29,18 +29,12 @@ Model read_model(const TomlValue& value) {
   std::string text = value.text(model_wanted);
   if (const auto at = text.find('@'); at != std::string::npos)
     text.replace(at, 1, (std::filesystem::path(value.file()).parent_path() / "").string());
-  try {
-    return Model::parse(text);
-  } catch (const Error& error) {
-    throw located(error, value.where());
-  }
+  return at_place(value, [&] { return Model::parse(text); });
 }
 
 PicturePanel read_panel(std::string_view file, const FindKey& find) {
   const auto required = [&](std::string_view key) {
-    if (auto value = find(key)) return *std::move(value);
-    throw error_at({std::string(file), 0, 0}, fmt::format("no '{}'", key), "a picture is of a tree",
-                   "add it; docs/draw.md has an example");
+    return require(find, file, key, "a picture is of a tree");
   };
   const TomlValue model = required("model"), n = required("n");
   PicturePanel panel{{},
@@ -50,11 +44,7 @@ PicturePanel read_panel(std::string_view file, const FindKey& find) {
                      0,
                      read_rules(file, find),
                      read_look(find)};
-  try {
-    panel.model.require_size(panel.n);
-  } catch (const Error& error) {
-    throw located(error, n.where());
-  }
+  at_place(n, [&] { panel.model.require_size(panel.n); });
   if (const auto caption = find("caption")) panel.caption = caption->text(caption_wanted);
   if (const auto seed = find("seed")) panel.seed = seed->whole(0, INT64_MAX, number_wanted);
   if (const auto replicate = find("replicate"))

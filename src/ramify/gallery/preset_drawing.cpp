@@ -33,10 +33,6 @@ Shape panel_shape(const PicturePanel& panel, const Tree& tree, const Cancellatio
   return place_limbs(tree, panel.rules, chance, cancellation);
 }
 
-double expected_nodes(const Model& model, Size n) {
-  return model.is_split() ? 2 * static_cast<double>(n) + 1 : model.grown().expected_nodes(n);
-}
-
 double expected_nodes(const PicturePreset& preset) {
   double nodes = 0;
   for (const PicturePanel& panel : preset.panels) nodes += expected_nodes(panel.model, panel.n);

@@ -16,9 +16,7 @@ RecordedTree panel_tree(const PicturePanel& panel, const Cancellation& cancellat
 /// own.
 Shape panel_shape(const PicturePanel& panel, const Tree& tree, const Cancellation& cancellation);
 
-/// Nodes of a tree, external ones counted, so that what is too much is refused before it is grown; expected
-/// where they are random. Of a preset, those of all its trees.
-double expected_nodes(const Model& model, Size n);
+/// Nodes of all its trees in the mean, so that what is too much is refused before it is grown.
 double expected_nodes(const PicturePreset& preset);
 
 /// A sheet: every panel in a box of the same size (G12), row by row, its caption below. Throws Interrupted.

@@ -31,11 +31,8 @@ double read_constant(const TomlTable& table, const TomlValue& rule, std::string_
     rule.fail(fmt::format("the rule {} without {}", name, constant.name), "it has no value of its own",
               fmt::format("add {}", example));
   }
-  const double number = value->real({"a number", example});
-  if (number >= constant.least && number <= constant.most) return number;
-  value->fail(fmt::format("{} = {:g}", constant.name, number),
-              fmt::format("of the rule {} it lies from {:g} to {:g}", name, constant.least, constant.most),
-              "take a number in between");
+  return read_between(*value, constant.least, constant.most, {"a number", example},
+                      fmt::format("of the rule {} ", name));
 }
 
 template <class Rule>
@@ -83,11 +80,23 @@ bool read_switch(const FindKey& find, std::string_view key) {
 
 }  // namespace
 
+TomlValue require(const FindKey& find, std::string_view file, std::string_view key, std::string_view why) {
+  if (auto value = find(key)) return *std::move(value);
+  throw error_at({std::string(file), 0, 0}, fmt::format("no '{}'", key), why,
+                 "add it; docs/draw.md has an example");
+}
+
+double read_between(const TomlValue& value, double least, double most, const Expected& expected,
+                    std::string_view of) {
+  const double number = value.real(expected);
+  if (number >= least && number <= most) return number;
+  value.fail(fmt::format("{} = {:g}", value.key(), number),
+             fmt::format("{}it lies from {:g} to {:g}", of, least, most), "take a number in between");
+}
+
 ShapeRules read_rules(std::string_view file, const FindKey& find) {
   const auto required = [&](std::string_view key) {
-    if (auto value = find(key)) return *std::move(value);
-    throw error_at({std::string(file), 0, 0}, fmt::format("no '{}'", key),
-                   "a form needs radius, length and deviation", "add it; docs/draw.md has an example");
+    return require(find, file, key, "a form needs radius, length and deviation");
   };
   using enum MainChild;
   constexpr std::array<std::pair<std::string_view, MainChild>, 3> mains{

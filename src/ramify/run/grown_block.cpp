@@ -20,6 +20,13 @@ bool fits(const GrownBlock& grown, const Plan& plan) {
 
 }  // namespace
 
+GrownBlock grown_block(const Plan& plan, const Block& block, const BlockTrees& trees) {
+  const Cell& cell = plan.cells[block.job];
+  CellAccumulator sums(plan.statistics, cell.model.largest_order(cell.n));
+  trees.each([&](std::uint64_t, const TreeMeasures& measures) { sums.add(measures); });
+  return {block, sums.sums()};
+}
+
 std::vector<std::uint8_t> encode(const GrownBlock& grown) {
   const auto& [block, sums] = grown;
   return json::to_cbor({{"cell", block.job},

@@ -16,6 +16,9 @@ struct GrownBlock {
   CellSums sums;
 };
 
+/// Grows the trees of a block of the plan's cells. Throws Interrupted.
+GrownBlock grown_block(const Plan& plan, const Block& block, const BlockTrees& trees);
+
 /// As CBOR (RFC 8949), every bit of it.
 std::vector<std::uint8_t> encode(const GrownBlock& grown);
 

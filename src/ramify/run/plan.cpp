@@ -14,6 +14,13 @@ Plan make_plan(const RunConfig& config) {
   return plan;
 }
 
+std::vector<GrowingJob> jobs_of(const Plan& plan) {
+  std::vector<GrowingJob> jobs;
+  for (const Cell& cell : plan.cells)
+    jobs.push_back({cell.model, cell.n, plan.seed, plan.method, 0, cell.replicates});
+  return jobs;
+}
+
 std::uint64_t total_trees(const Plan& plan) {
   std::uint64_t trees = 0;
   for (const Cell& cell : plan.cells) trees += cell.replicates;

@@ -5,6 +5,7 @@
 
 #include "ramify/config/run_config.hpp"
 #include "ramify/model/registry.hpp"
+#include "ramify/sample/grow_blocks.hpp"
 #include "ramify/sample/sampling_method.hpp"
 #include "ramify/statistic/registry.hpp"
 
@@ -27,6 +28,9 @@ struct Plan {
 };
 
 Plan make_plan(const RunConfig& config);
+
+/// The growing of every cell, in their order.
+std::vector<GrowingJob> jobs_of(const Plan& plan);
 
 /// Of all cells.
 std::uint64_t total_trees(const Plan& plan);

@@ -9,20 +9,6 @@
 namespace ramify {
 namespace {
 
-std::vector<GrowingJob> jobs_of(const Plan& plan) {
-  std::vector<GrowingJob> jobs;
-  for (const Cell& cell : plan.cells)
-    jobs.push_back({cell.model, cell.n, plan.seed, plan.method, 0, cell.replicates});
-  return jobs;
-}
-
-GrownBlock grown_block(const Plan& plan, const Block& block, const BlockTrees& trees) {
-  const Cell& cell = plan.cells[block.job];
-  CellAccumulator sums(plan.statistics, cell.model.largest_order(cell.n));
-  trees.each([&](std::uint64_t, const TreeMeasures& measures) { sums.add(measures); });
-  return {block, sums.sums()};
-}
-
 /// Of another process of the same build and plan.
 GrownBlock handed_over(const Bytes& bytes, const Plan& plan) {
   if (auto grown = decode_block(bytes, plan)) return std::move(*grown);

@@ -1,8 +1,8 @@
 #include "ramify/sample/grow_blocks.hpp"
 
 #include <algorithm>
+#include <deque>
 #include <iterator>
-#include <map>
 #include <memory>
 #include <mutex>
 #include <numeric>
@@ -66,16 +66,9 @@ double tree_nodes(const GrowingJob& job) {
   return std::max(1.0, GraftRule(job.model, job.method).grown_nodes(job.n));
 }
 
-/// Of every job the first one of the same model and method: trees of both are grafted from the same tables.
-std::vector<std::size_t> kinds_of(const std::vector<GrowingJob>& jobs) {
-  std::vector<std::size_t> kinds;
-  for (const GrowingJob& job : jobs) {
-    const auto first = std::ranges::find_if(jobs, [&job](const GrowingJob& other) {
-      return other.method == job.method && other.model == job.model;
-    });
-    kinds.push_back(static_cast<std::size_t>(first - jobs.begin()));
-  }
-  return kinds;
+/// Whether trees of both are grafted from the same tables.
+bool share_tables(const GrowingJob& job, const GrowingJob& other) {
+  return other.method == job.method && other.model == job.model;
 }
 
 /// All blocks of jobs, and what grows them.
@@ -83,11 +76,13 @@ class BlockGrower {
  public:
   BlockGrower(const std::vector<GrowingJob>& jobs, unsigned threads, const Cancellation& cancellation)
       : jobs_(jobs), cancellation_(cancellation), prototype_of_job_(jobs.size()), workers_(threads) {
-    const auto kinds = kinds_of(jobs);
+    const GrowingJob* before = nullptr;
     for (const std::size_t j : order_of(jobs)) {
-      Prototype& prototype = prototypes_.try_emplace(kinds[j], jobs[j], cancellation).first->second;
-      prototype.expect(jobs[j].n);
-      prototype_of_job_[j] = &prototype;
+      if (before == nullptr || !share_tables(*before, jobs[j]))
+        prototypes_.emplace_back(jobs[j], cancellation);
+      before = &jobs[j];
+      prototypes_.back().expect(jobs[j].n);
+      prototype_of_job_[j] = &prototypes_.back();
       std::ranges::move(blocks_of(jobs[j], j), std::back_inserter(blocks_));
     }
   }
@@ -113,7 +108,7 @@ class BlockGrower {
  private:
   const std::vector<GrowingJob>& jobs_;
   const Cancellation& cancellation_;
-  std::map<std::size_t, Prototype> prototypes_;  // by kind; they do not move
+  std::deque<Prototype> prototypes_;  // they do not move
   std::vector<Prototype*> prototype_of_job_;
   std::vector<Block> blocks_;
   std::vector<Worker> workers_;
@@ -132,11 +127,13 @@ std::vector<Block> blocks_of(const GrowingJob& job, std::size_t job_number) {
 }
 
 std::vector<std::size_t> order_of(const std::vector<GrowingJob>& jobs) {
-  const auto kinds = kinds_of(jobs);
+  const auto first_of_its_tables = [&jobs](const GrowingJob& job) {
+    return std::ranges::find_if(jobs, [&job](const GrowingJob& other) { return share_tables(job, other); });
+  };
   std::vector<std::size_t> order(jobs.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, {}, [&](std::size_t j) {
-    return std::pair(kinds[j], -std::max(block_nodes, tree_nodes(jobs[j])));
+    return std::pair(first_of_its_tables(jobs[j]), -std::max(block_nodes, tree_nodes(jobs[j])));
   });
   return order;
 }

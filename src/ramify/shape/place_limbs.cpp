@@ -43,11 +43,18 @@ Frame straightened(const Frame& frame) {
   return {h, (frame.e - h * h.dot(frame.e)).normalized()};
 }
 
+/// Turned towards a direction, in the plane of both.
+/// @param turn  turn(h x target's length), the angle
+template <class Turn>
+Frame turned_towards(const Frame& frame, const Vector& target, Turn turn) {
+  const Vector axis = frame.h.cross(target);
+  const double sine = axis.norm();
+  return sine == 0 ? frame : turned(frame, axis / sine, turn(sine));
+}
+
 /// Turned so that it heads towards a unit direction, by the least turn that does.
 Frame headed(const Frame& frame, const Vector& heading) {
-  const Vector axis = frame.h.cross(heading);
-  const double sine = axis.norm(), angle = std::atan2(sine, frame.h.dot(heading));
-  return sine == 0 ? frame : turned(frame, axis / sine, angle);
+  return turned_towards(frame, heading, [&](double sine) { return std::atan2(sine, frame.h.dot(heading)); });
 }
 
 /// The level direction across a heading; of a vertical one (1,0,0), as the plane of Aono and Kunii's first
@@ -64,9 +71,10 @@ double share_of_root(const NodeFacts& node, const NodeFacts& root, double expone
 
 /// A heading drawn towards a target: its angle to it divided.
 Frame drawn(const Frame& frame, const Vector& target, double divisor) {
-  const Vector axis = frame.h.cross(target);
-  const double sine = axis.norm(), angle = std::atan2(sine, frame.h.dot(target));
-  return sine == 0 ? frame : turned(frame, axis / sine, angle - angle / divisor);
+  return turned_towards(frame, target, [&](double sine) {
+    const double angle = std::atan2(sine, frame.h.dot(target));
+    return angle - angle / divisor;
+  });
 }
 
 /// Facts of every node that take a pass over the tree.
@@ -76,16 +84,7 @@ class Survey {
       : leaves_(magnitudes(tree)),
         orders_(strahler_orders(tree)),
         paths_(path_nodes(tree, main)),
-        nodes_(tree.node_count(), 1) {
-    std::vector<std::size_t> open;
-    for (std::size_t node = tree.node_count(); node-- > 0;) {
-      for (std::uint32_t child = 0; child < tree.arity(node); ++child) {
-        nodes_[node] += nodes_[open.back()];
-        open.pop_back();
-      }
-      open.push_back(node);
-    }
-  }
+        nodes_(node_counts(tree)) {}
 
   std::size_t nodes(std::size_t node) const { return nodes_[node]; }
 
@@ -106,7 +105,7 @@ class Survey {
   std::vector<Size> leaves_;
   std::vector<std::uint8_t> orders_;
   std::vector<PathNodes> paths_;
-  std::vector<std::size_t> nodes_;
+  std::vector<Size> nodes_;
 };
 
 class Placing {
@@ -228,11 +227,8 @@ class Placing {
         const Vector heading = frame.h + tropism.strength * target;
         return heading.norm() == 0 ? frame : headed(frame, heading.normalized());
       }
-      case Tropism::Kind::torque: {
-        const Vector axis = frame.h.cross(target);
-        const double sine = axis.norm();
-        return sine == 0 ? frame : turned(frame, axis / sine, tropism.strength * sine);
-      }
+      case Tropism::Kind::torque:
+        return turned_towards(frame, target, [&](double sine) { return tropism.strength * sine; });
       case Tropism::Kind::pull:
         return drawn(frame, target.normalized(), 1 + tropism.strength * share);
       case Tropism::Kind::bend:

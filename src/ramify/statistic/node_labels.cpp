@@ -10,14 +10,15 @@
 namespace ramify {
 namespace {
 
-/// The number of external nodes below.
-struct Magnitude {
+/// The number of nodes below and including one: of the external ones alone, or of all.
+template <bool all>
+struct NodeCount {
   using Value = Size;
   Value external() const { return 1; }
   template <class Label, class Labels, class Values>
   Value join(const Label&, const Labels&, const Values& below) const {
-    Size sum = 0;
-    for (const Size leaves : below) sum += leaves;
+    Size sum = all ? 1 : 0;
+    for (const Size nodes : below) sum += nodes;
     return sum;
   }
 };
@@ -62,7 +63,11 @@ std::vector<std::uint8_t> strahler_orders(const Tree& tree) {
 }
 
 std::vector<Size> magnitudes(const Tree& tree) {
-  return values_of_nodes<Magnitude>(tree);
+  return values_of_nodes<NodeCount<false>>(tree);
+}
+
+std::vector<Size> node_counts(const Tree& tree) {
+  return values_of_nodes<NodeCount<true>>(tree);
 }
 
 std::vector<std::uint32_t> horsfield_orders(const Tree& tree) {

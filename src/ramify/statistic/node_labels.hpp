@@ -14,6 +14,9 @@ std::vector<std::uint8_t> strahler_orders(const Tree& tree);
 /// Shreve magnitude (B2): external nodes below and including the node.
 std::vector<Size> magnitudes(const Tree& tree);
 
+/// Nodes below and including the node, external ones among them.
+std::vector<Size> node_counts(const Tree& tree);
+
 /// Weibel's generation (B3): nodes on the path from the root, both ends counted. Weibel 1963 counts from 0:
 /// one less.
 std::vector<std::uint32_t> depths(const Tree& tree);

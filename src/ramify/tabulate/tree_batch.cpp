@@ -69,11 +69,6 @@ double node_bytes(TreeFormat format) {
   }
 }
 
-/// Internal and external nodes.
-double all_nodes(const Model& model, Size n) {
-  return model.is_split() ? 2 * static_cast<double>(n) + 1 : model.grown().expected_nodes(n);
-}
-
 /// Looks for cancellation now and then while a tree is grown node by node.
 class Watch {
  public:
@@ -90,6 +85,10 @@ class Watch {
 
 }  // namespace
 
+double expected_nodes(const Model& model, Size n) {
+  return model.is_split() ? 2 * static_cast<double>(n) + 1 : model.grown().expected_nodes(n);
+}
+
 void TreeBatch::require_memory(const StatisticSet& statistics, std::uint64_t count) const {
   const FoldSet pass = sampling_method(statistics, graft).pass;
   ramify::require_memory("growing the trees", "--n", n, [&](Size size) {
@@ -104,7 +103,7 @@ void TreeBatch::require_memory(const StatisticSet& statistics, std::uint64_t cou
 }
 
 void TreeBatch::require_memory(TreeFormat format, std::uint64_t count) const {
-  const auto tree_bytes = [&](Size size) { return all_nodes(model, size) * node_bytes(format); };
+  const auto tree_bytes = [&](Size size) { return expected_nodes(model, size) * node_bytes(format); };
   ramify::require_memory(fmt::format("a tree as {}", name_of(format)), "--n", n, tree_bytes);
   ramify::require_memory(fmt::format("the trees as {}", name_of(format)), "--replicates", count,
                          [&](std::uint64_t trees) {

@@ -13,6 +13,9 @@
 
 namespace ramify {
 
+/// Nodes of a tree in the mean, internal and external.
+double expected_nodes(const Model& model, Size n);
+
 /// Trees of one model, size and seed, replicate by replicate: what `ramify sample` prints.
 ///
 /// Rows come in the order of the replicates and depend on (model, n, seed, replicate, graft) and on which
