@@ -1,6 +1,7 @@
 // What many ranks do: the hand-out of src/ramify/ranks played event by event, with block costs that are
 // measured here.
 //   build/bench/bench/team_model configs/full/*.toml
+//   build/bench/bench/team_model bench/large_job.toml
 // Of each rank count: how long the configs take one after the other, the share of time in which threads have
 // nothing to do, messages a second, how busy rank 0 is with them. Costs: each cell's first block is grown,
 // its tables too; a block of the cell takes as long.
@@ -19,9 +20,11 @@
 namespace ramify::bench {
 namespace {
 
-// A lower bound: docs/cluster.md has what team_bench measures, and what that changes.
-constexpr double service = 30e-6;  // seconds of rank 0 for an outcome: message, decoding, store, answer
+// What team_bench measures (docs/cluster.md).
+constexpr double service = 250e-6;  // seconds of rank 0 for an outcome: message, decoding, store, answer
 constexpr double latency = 10e-6;  // of a message
+
+constexpr Size large_tree = 10'000'000;
 
 /// Of a block of a cell, in seconds.
 struct CellCost {
@@ -30,7 +33,8 @@ struct CellCost {
   std::size_t model;  ///< cells of one number share tables
 };
 
-/// Both measured: tables are made, and the first block grown.
+/// Both measured: tables are made, and the first block grown; of large trees one, which stands for the others
+/// of its block.
 /// @param place  of the job in the plan
 CellCost cost_of(const GrowingJob& job, const Plan& plan, std::size_t place) {
   const Cancellation never;
@@ -39,7 +43,11 @@ CellCost cost_of(const GrowingJob& job, const Plan& plan, std::size_t place) {
   CellCost cost{0, 0, static_cast<std::size_t>(same - plan.cells.begin())};
   cost.tables = cpu_seconds([&] { sampler = make_tree_sampler({job.model, job.method, job.n, &never}); });
   const Block first = blocks_of(job, place).front();
-  cost.block = cpu_seconds([&] { grown_block(plan, first, BlockTrees(job, first, *sampler, never)); });
+  Block grown = first;
+  if (job.n >= large_tree) grown.last = grown.first + 1;
+  const double seconds =
+      cpu_seconds([&] { grown_block(plan, grown, BlockTrees(job, grown, *sampler, never)); });
+  cost.block = seconds * static_cast<double>(first.trees()) / static_cast<double>(grown.trees());
   return cost;
 }
 

@@ -1,6 +1,8 @@
 #include "ramify/ranks/post.hpp"
 
 #include <cstring>
+#include <list>
+#include <utility>
 
 #include <mpi.h>
 
@@ -26,6 +28,42 @@ Bytes bytes_of(std::string_view text) {
   return {text.begin(), text.end()};
 }
 
+/// Messages that MPI still reads from.
+class Post::Outbox {
+ public:
+  Outbox() = default;
+  Outbox(const Outbox&) = delete;
+  Outbox(Outbox&&) = delete;
+  Outbox& operator=(const Outbox&) = delete;
+  Outbox& operator=(Outbox&&) = delete;
+  /// When all have arrived.
+  ~Outbox() {
+    for (Sent& sent : sent_) MPI_Wait(&sent.request, MPI_STATUS_IGNORE);
+  }
+
+  void send(int to, MessageKind kind, Bytes body) {
+    Sent& sent = sent_.emplace_back(Sent{std::move(body), MPI_REQUEST_NULL});
+    MPI_Isend(sent.body.data(), static_cast<int>(sent.body.size()), MPI_BYTE, to, static_cast<int>(kind),
+              MPI_COMM_WORLD, &sent.request);
+  }
+
+  void drop_what_arrived() {
+    std::erase_if(sent_, [](Sent& sent) {
+      int is_done = 0;
+      MPI_Test(&sent.request, &is_done, MPI_STATUS_IGNORE);
+      return is_done != 0;
+    });
+  }
+
+ private:
+  struct Sent {
+    Bytes body;
+    MPI_Request request;
+  };
+
+  std::list<Sent> sent_;  // they do not move
+};
+
 Post::Post() {
   int provided = 0;
   MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
@@ -35,17 +73,20 @@ Post::Post() {
   MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
   MPI_Comm_size(machine, &neighbours_);
   MPI_Comm_free(&machine);
+  outbox_ = std::make_unique<Outbox>();
 }
 
 Post::~Post() {
+  outbox_.reset();
   MPI_Finalize();
 }
 
-void Post::send(int to, MessageKind kind, const Bytes& body) const {
-  MPI_Send(body.data(), static_cast<int>(body.size()), MPI_BYTE, to, static_cast<int>(kind), MPI_COMM_WORLD);
+void Post::send(int to, MessageKind kind, Bytes body) {
+  outbox_->send(to, kind, std::move(body));
 }
 
-std::optional<Message> Post::next() const {
+std::optional<Message> Post::next() {
+  outbox_->drop_what_arrived();
   int is_there = 0, size = 0;
   MPI_Status status;
   MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &is_there, &status);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -57,12 +58,17 @@ class Post {
   /// Ranks on this machine, this one among them.
   int neighbours() const { return neighbours_; }
 
-  void send(int to, MessageKind kind, const Bytes& body = {}) const;
-  /// The next message that has come in; nothing where none has. Does not wait: Open MPI's waits keep a core
-  /// busy.
-  std::optional<Message> next() const;
+  // Neither waits: Open MPI's waits keep a core busy.
+
+  /// On its way; what is under way goes on in next().
+  void send(int to, MessageKind kind, Bytes body = {});
+  /// The next message that has come in; nothing where none has.
+  std::optional<Message> next();
 
  private:
+  class Outbox;
+
+  std::unique_ptr<Outbox> outbox_;
   int rank_ = 0, ranks_ = 1, neighbours_ = 1;
 };
 

@@ -4,17 +4,24 @@
 #include <cmath>
 #include <iterator>
 #include <map>
-#include <string_view>
+#include <string>
 
 #include "ramify/compare/clumped_count.hpp"
 #include "ramify/config/size_grid.hpp"
-#include "ramify/core/error.hpp"
-#include "ramify/core/parallel.hpp"
-#include "ramify/large/finite_means.hpp"
+#include "ramify/run/plan_laws.hpp"
 #include "ramify/statistic/registry.hpp"
 
 namespace ramify {
 namespace {
+
+/// The law of a column that counts nodes or streams of an order; null of others.
+const CountOfOrder* count_law(const StatisticColumn& column) {
+  return std::get_if<CountOfOrder>(&column.statistic->law.recurrence);
+}
+
+StatisticColumn streams_of_order(std::size_t order) {
+  return {statistic::streams, OrderPlace{order, 0}};
+}
 
 /// A sample of T trees cannot tell an event of probability below 1/T from none, so no error is taken below
 /// 1/T.
@@ -27,9 +34,9 @@ double standard_error(const ColumnSummary& column, double variance) {
 /// streams of the order that of streams with geometric numbers of nodes, if it is larger. A sample that has
 /// none does not know it.
 double unknown_variance(const OrderCount& count, const ColumnSummary& column, double mean, Size n,
-                        const FiniteMeans& laws) {
+                        const LawAnswers& laws) {
   constexpr double enough_streams = 100;
-  const auto streams = laws.moments({statistic::streams, OrderPlace{count.order, 0}}, n);
+  const auto streams = laws.moments(streams_of_order(count.order), n);
   if (!streams || static_cast<double>(column.trees) * streams->mean >= enough_streams) return column.variance;
   const double nodes_of_each =
       count.of == OrderCount::Of::nodes && streams->mean > 0 ? mean / streams->mean : 1;
@@ -38,7 +45,7 @@ double unknown_variance(const OrderCount& count, const ColumnSummary& column, do
 
 /// How far a count lies off; a normal variate only where the trees have enough of it.
 double count_z(const OrderCount& count, const ColumnSummary& column, const Moments& exact, Size n,
-               const FiniteMeans& laws) {
+               const LawAnswers& laws) {
   const double trees = static_cast<double>(column.trees), mean = trees * exact.mean;
   const bool known = !std::isnan(exact.variance);
   // A whole number that is there with chance m has the variance m(1-m) at least, whatever rounding leaves.
@@ -50,24 +57,24 @@ double count_z(const OrderCount& count, const ColumnSummary& column, const Momen
   return (column.mean - exact.mean) / standard_error(column, known ? exact.variance : column.variance);
 }
 
-std::optional<ExactCheck> check(const ColumnSummary& column, const CellResult& cell,
-                                const FiniteMeans& laws) {
+std::optional<ExactCheck> check(const ColumnSummary& column, const CellResult& cell, const LawAnswers& laws) {
   const auto exact = laws.moments(column.column, cell.n);
   if (!exact) return std::nullopt;
-  if (const auto* count = std::get_if<CountOfOrder>(&column.column.statistic->law.recurrence))
+  if (const CountOfOrder* count = count_law(column.column))
     return ExactCheck{exact->mean,
                       count_z(count->at(column.column.place.high), column, *exact, cell.n, laws)};
   const double variance = std::isnan(exact->variance) ? column.variance : exact->variance;
   return ExactCheck{exact->mean, (column.mean - exact->mean) / standard_error(column, variance)};
 }
 
-/// The cells of every model, models by name.
-std::vector<std::vector<CheckedCell*>> models_of(std::vector<CheckedCell>& cells) {
-  std::map<std::string_view, std::vector<CheckedCell*>> by_model;
-  for (CheckedCell& cell : cells) by_model[cell.result.model].push_back(&cell);
-  std::vector<std::vector<CheckedCell*>> groups;
-  for (auto& [model, members] : by_model) groups.push_back(std::move(members));
-  return groups;
+/// The cells of every model whose trees split, by place in the plan; models by name.
+using CellsOfModels = std::map<std::string, std::vector<std::size_t>>;
+
+CellsOfModels cells_of_models(const Plan& plan) {
+  CellsOfModels models;
+  for (std::size_t c = 0; c < plan.cells.size(); ++c)
+    if (plan.cells[c].model.is_split()) models[plan.cells[c].model.text()].push_back(c);
+  return models;
 }
 
 /// Sizes between the smallest and the largest, in equal steps of log n: enough for an oscillation that comes
@@ -85,19 +92,50 @@ bool is_drawn(const StatisticColumn& column) {
          (column.statistic->shape == Columns::orders && column.place.high <= highest_drawn_order);
 }
 
-/// The curves of one model, from its laws; none where all of its cells have one size.
-std::vector<ExactCurve> curves_of(const std::vector<CheckedCell*>& cells, const FiniteMeans& laws) {
+std::vector<StatisticColumn> columns_of(const Plan& plan, const Cell& cell) {
+  return plan.statistics.columns(cell.model.largest_order(cell.n));
+}
+
+/// What is drawn of a model: columns of its largest cell, at many sizes; nothing where all cells have one.
+struct Drawn {
+  std::vector<StatisticColumn> columns;
+  std::vector<Size> sizes;
+};
+
+Drawn drawn(const Plan& plan, const std::vector<std::size_t>& cells) {
   const auto [smallest, largest] =
-      std::ranges::minmax_element(cells, {}, [](const CheckedCell* cell) { return cell->result.n; });
+      std::ranges::minmax(cells, {}, [&plan](std::size_t c) { return plan.cells[c].n; });
+  if (plan.cells[smallest].n == plan.cells[largest].n) return {};
+  Drawn drawn{{}, sizes_between(plan.cells[smallest].n, plan.cells[largest].n)};
+  std::ranges::copy_if(columns_of(plan, plan.cells[largest]), std::back_inserter(drawn.columns), is_drawn);
+  return drawn;
+}
+
+/// All that is asked of the laws: beside every column of every cell, and for the curves.
+PlanQuestions questions_of(const Plan& plan) {
+  PlanQuestions all;
+  for (const auto& [model, cells] : cells_of_models(plan)) {
+    std::vector<LawQuestion>& questions = all[model];
+    for (const std::size_t c : cells)
+      for (const StatisticColumn& column : columns_of(plan, plan.cells[c])) {
+        questions.push_back({column, plan.cells[c].n});
+        if (count_law(column)) questions.push_back({streams_of_order(column.place.high), plan.cells[c].n});
+      }
+    const auto [columns, sizes] = drawn(plan, cells);
+    for (const StatisticColumn& column : columns)
+      for (const Size n : sizes) questions.push_back({column, n});
+  }
+  return all;
+}
+
+/// The curves of one model, from its laws.
+std::vector<ExactCurve> curves_of(const std::string& model, const Drawn& drawn, const LawAnswers& laws) {
   constexpr Moments unknown{ColumnSummary::none, ColumnSummary::none};
   std::vector<ExactCurve> curves;
-  if ((*smallest)->result.n == (*largest)->result.n) return curves;
-  const auto sizes = sizes_between((*smallest)->result.n, (*largest)->result.n);
-  for (const ColumnSummary& summary : (*largest)->result.columns) {
-    if (!is_drawn(summary.column)) continue;
-    ExactCurve curve{(*largest)->result.model, summary.column, {}};
-    for (const Size n : sizes)
-      curve.points.push_back({static_cast<double>(n), laws.moments(curve.column, n).value_or(unknown)});
+  for (const StatisticColumn& column : drawn.columns) {
+    ExactCurve curve{model, column, {}};
+    for (const Size n : drawn.sizes)
+      curve.points.push_back({static_cast<double>(n), laws.moments(column, n).value_or(unknown)});
     const auto is_known = [](const ExactCurve::Point& point) { return !std::isnan(point.moments.mean); };
     if (std::ranges::any_of(curve.points, is_known)) curves.push_back(std::move(curve));
   }
@@ -115,27 +153,23 @@ std::vector<CheckedCell> unchecked(std::vector<FinishedCell> cells) {
   return result;
 }
 
-CheckedRun check_against_exact_laws(const Plan& plan, std::vector<FinishedCell> finished, unsigned threads,
-                                    const Cancellation& cancellation) {
+CheckedRun check_against_exact_laws(const Plan& plan, std::vector<FinishedCell> finished,
+                                    const Workforce& workforce, const Cancellation& cancellation) {
+  const PlanLaws laws = ask_laws(plan, questions_of(plan), workforce, cancellation);
   CheckedRun run{unchecked(std::move(finished))};
-  const auto groups = models_of(run.cells);
-  std::vector<std::vector<ExactCurve>> curves(groups.size());
-  parallel_for(groups.size(), threads, [&](std::size_t group, unsigned) {
-    const auto& members = groups[group];
-    const Model& model = plan.cells[members.front()->number - 1].model;
-    if (!model.is_split()) return;
-    std::vector<Size> sizes;
-    for (const CheckedCell* cell : members) sizes.push_back(cell->result.n);
-    const FiniteMeans laws(model, sizes);
-    for (CheckedCell* cell : members)
-      for (std::size_t c = 0; c < cell->checks.size(); ++c) {
-        if (cancellation.requested()) throw Interrupted();
-        cell->checks[c] = check(cell->result.columns[c], cell->result, laws);
-      }
-    curves[group] = curves_of(members, laws);
-  });
-  for (auto& of_model : curves) std::ranges::move(of_model, std::back_inserter(run.curves));
+  for (CheckedCell& cell : run.cells) {
+    const auto of_model = laws.find(cell.result.model);
+    if (of_model == laws.end()) continue;
+    for (std::size_t c = 0; c < cell.checks.size(); ++c)
+      cell.checks[c] = check(cell.result.columns[c], cell.result, of_model->second);
+  }
+  for (const auto& [model, cells] : cells_of_models(plan))
+    std::ranges::move(curves_of(model, drawn(plan, cells), laws.at(model)), std::back_inserter(run.curves));
   return run;
+}
+
+void help_check(const Plan& plan, const Workforce& workforce, const Cancellation& cancellation) {
+  ask_laws(plan, questions_of(plan), workforce, cancellation);
 }
 
 }  // namespace ramify

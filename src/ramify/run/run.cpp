@@ -55,10 +55,10 @@ void say_kept(const BlockStore& store, const RunOptions& options) {
 }
 
 /// All cells beside their exact laws; nothing where the user stopped it meanwhile.
-std::optional<CheckedRun> checked_cells(const Plan& plan, const CellBook& book, unsigned threads,
+std::optional<CheckedRun> checked_cells(const Plan& plan, const CellBook& book, const Workforce& workforce,
                                         const Cancellation& cancellation) {
   try {
-    return check_against_exact_laws(plan, finished(book), threads, cancellation);
+    return check_against_exact_laws(plan, finished(book), workforce, cancellation);
   } catch (const Interrupted&) {
     return std::nullopt;
   }
@@ -76,7 +76,7 @@ std::optional<CheckedRun> grow(const Plan& plan, const fs::path& work, const Run
       options.progress(done, total);
     };
   if (!run_cells(plan, store, options.workforce, cancellation, observer)) return std::nullopt;
-  return checked_cells(plan, book, options.workforce.threads, cancellation);
+  return checked_cells(plan, book, options.workforce, cancellation);
 }
 
 nlohmann::ordered_json provenance_of(const RunConfig& config, const RunOptions& options,
@@ -158,7 +158,9 @@ RunOutcome run_experiment(const RunConfig& config, const RunOptions& options,
 
 void help_run_experiment(const RunConfig& config, const Workforce& workforce,
                          const Cancellation& cancellation) {
-  help_run_cells(make_plan(config), workforce, cancellation);
+  const Plan plan = make_plan(config);
+  help_run_cells(plan, workforce, cancellation);
+  help_check(plan, workforce, cancellation);
 }
 
 }  // namespace ramify
