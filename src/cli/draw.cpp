@@ -28,7 +28,7 @@ namespace {
 
 struct DrawArguments {
   std::string tree, format = "auto", root, which, model, n, seed, replicate, preset, configs, style, view,
-                    color_by, table, label, side = "800", leaf_order = "1", gallery, output;
+                    color_by, table, label, up, side = "800", leaf_order = "1", gallery, output;
   bool same_lengths = false, keep_unary = false, sheet = false;
 };
 
@@ -63,7 +63,19 @@ RecordedTree read_tree(const DrawArguments& options) {
                           {options.root}, remarks);
   for (const auto& line : remarks.lines(options.tree)) fmt::print(stderr, "ramify: warning: {}\n", line);
   RecordedTree tree = chosen(std::move(trees), options);
-  return options.keep_unary ? tree : contract_unary(std::move(tree));
+  const bool has_own_form = is_form(options.style) && !tree.places.empty();
+  return options.keep_unary || has_own_form ? tree : contract_unary(std::move(tree));
+}
+
+/// Of the places of a measured tree.
+Upwards upwards_of(const DrawArguments& options, const RecordedTree& tree) {
+  if (options.up.empty()) return Upwards::y;
+  if (tree.places.empty())
+    throw Error(fmt::format("--up {}", options.up), "the tree has no coordinates",
+                "leave it out, or draw a file of points (SWC)");
+  if (options.up != "y" && options.up != "z")
+    throw Error(fmt::format("--up {}", options.up), "it is y or z", "take one of these");
+  return options.up == "y" ? Upwards::y : Upwards::z;
 }
 
 /// Of a tree, its form and the outlines of its picture: what was measured and a tenth; and of the page.
@@ -122,15 +134,22 @@ double side_of(const DrawArguments& options) {
   return static_cast<double>(side);
 }
 
-/// Rules that nobody has named: the tree's own extents where it was measured, else the thesis's.
+/// The form of a tree of which nobody has named rules: its own as far as it was measured, else the thesis's.
+Shape usual_shape(const DrawArguments& options, const RecordedTree& tree, const PicturePanel* grown,
+                  const Cancellation& cancellation) {
+  const Upwards upwards = upwards_of(options, tree);
+  if (!tree.places.empty()) return measured_shape(tree, upwards);
+  const ShapeRules rules = grown == nullptr ? measured_rules(tree) : thesis_rules(tree.tree);
+  Stream chance({grown == nullptr ? 0 : grown->seed, 0}, 0, Lane::form);
+  return place_limbs(tree.tree, rules, chance, cancellation);
+}
+
 Drawing form_drawing(const DrawArguments& options, const RecordedTree& tree, const PicturePanel* grown,
                      const Cancellation& cancellation) {
   TreeLook look;
   look.style = parse_tree_style(options.style);
   look.by_order = options.color_by.empty() || parse_color_by(options.color_by);
-  const ShapeRules rules = grown == nullptr ? measured_rules(tree) : thesis_rules(tree.tree);
-  Stream chance({grown == nullptr ? 0 : grown->seed, 0}, 0, Lane::form);
-  const Shape shape = place_limbs(tree.tree, rules, chance, cancellation);
+  const Shape shape = usual_shape(options, tree, grown, cancellation);
   const std::vector<std::string> views =
       options.sheet ? sheet_views() : std::vector{options.view.empty() ? "front" : options.view};
   Sheet sheet(views.size(), 2, options.sheet, side_of(options));
@@ -142,8 +161,8 @@ Drawing form_drawing(const DrawArguments& options, const RecordedTree& tree, con
 }
 
 Drawing diagram(const DrawArguments& options, const RecordedTree& tree) {
-  if (!options.view.empty() || options.sheet || !options.color_by.empty())
-    throw Error("--view, --sheet or --color-by of a diagram",
+  if (!options.view.empty() || options.sheet || !options.color_by.empty() || !options.up.empty())
+    throw Error("--view, --sheet, --up or --color-by of a diagram",
                 "a node-link diagram lies in a plane, coloured by order",
                 "add --style branches for a form, or leave it out");
   const std::uint64_t leaf_order = read_count("--leaf-order", options.leaf_order);
@@ -202,6 +221,8 @@ ExitCode draw(const DrawArguments& options, const Cancellation& cancellation) {
   if (!options.label.empty() && (is_form(options.style) || !options.preset.empty()))
     throw Error("--label of a form", "numbers stand at the nodes of a diagram",
                 "take --tree or --model with --style dendrogram or upright");
+  if (!options.up.empty() && options.tree.empty())
+    throw Error("--up without --tree", "a grown tree has its foot below", "leave it out");
   if (!options.gallery.empty()) {
     draw_gallery(options.gallery, config_folder(options.configs, "draw"), cancellation);
     return ExitCode::done;
@@ -248,6 +269,8 @@ void add_draw(Program& program) {
       "dendrogram (root at the left, right angles; the usual one) or upright (root at the bottom); or "
       "a form in space: lines, bars or branches");
   verb.option("--view", options->view, "of a form: front, right, back, left, top, bottom or oblique");
+  verb.option("--up", options->up,
+              "of a file of points: the coordinate that points up, y (if left out) or z");
   verb.flag("--sheet", options->sheet, "of a form: four views in one drawing");
   verb.option("--color-by", options->color_by, "of a form: order or bark");
   verb.option("--side", options->side, "of the picture of a form, in pixels", Need::defaulted);

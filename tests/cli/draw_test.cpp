@@ -47,6 +47,23 @@ TEST(Draw, GrowsTheTreeOfSample) {
   EXPECT_EQ(branches(read_file(scratch / "a.svg")), branches(read_file(scratch / "b.svg")));
 }
 
+// A file of points has a form of its own; any other refuses to say what points up.
+TEST(Draw, PointsStandWhereTheyWereMeasured) {
+  const Scratch scratch;
+  const std::string sapling = "draw --tree data/examples/sapling.swc --style lines -o ";
+  ASSERT_EQ(ramify(sapling + (scratch / "a.svg").string()).code, 0);
+  ASSERT_EQ(ramify(sapling + (scratch / "b.svg").string() + " --up z").code, 0);
+  EXPECT_NE(read_file(scratch / "a.svg"), read_file(scratch / "b.svg"));
+  for (const std::string wrong :
+       {"--tree data/examples/sapling.newick --style lines --up z", "--model bst --n 9 --style lines --up z",
+        "--tree data/examples/sapling.swc --up z", "--tree data/examples/sapling.swc --style lines --up x"}) {
+    const Ran ran = ramify("draw " + wrong + " -o " + (scratch / "c.svg").string());
+    EXPECT_EQ(ran.code, 2) << wrong;
+    EXPECT_EQ(count_lines(ran.err), 1u) << ran.err;
+    EXPECT_FALSE(std::filesystem::exists(scratch / "c.svg"));
+  }
+}
+
 TEST(Draw, EveryFormatIsWhatItsNameSays) {
   const Scratch scratch;
   const std::string tree = "draw --preset ginkgo -o ";

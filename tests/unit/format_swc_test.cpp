@@ -24,6 +24,7 @@ TEST(Swc, PointsAreNodes) {
   EXPECT_EQ(tree.lengths[2], 2);
   EXPECT_EQ(tree.radii[3], 0.25);
   EXPECT_EQ(tree.names[3], "4");
+  EXPECT_EQ(tree.places[2], (std::array<double, 3>{3, 4, 2}));
 }
 
 TEST(Swc, ChainsContractToBranches) {
@@ -32,6 +33,7 @@ TEST(Swc, ChainsContractToBranches) {
   EXPECT_EQ(to_parentheses(tree.tree), "(EE)");
   EXPECT_EQ(tree.lengths[0], 4);
   EXPECT_EQ(tree.radii[0], 1.5);  // (1 * 3 + 3 * 1) / 4: the root point has no length
+  EXPECT_EQ(tree.places[0], (std::array<double, 3>{0, 0, 4}));
 }
 
 TEST(Swc, SomaPointsAreOneNode) {

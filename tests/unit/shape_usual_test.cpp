@@ -50,6 +50,34 @@ TEST(MeasuredRules, WhatIsNotMeasuredFollowsAConvention) {
   EXPECT_NEAR(length_of_limb(test::placed(unknown_root.tree, measured_rules(unknown_root)), 0), 0, 1e-12);
 }
 
+RecordedTree with_places() {
+  RecordedTree tree = measured({}, {5, 4, 3, 2, 1});
+  tree.places = {{1, 2, 3}, {1, 2, 8}, {4, 2, 8}, {-1, 0, 9}, {0, 0, 5}};
+  return tree;
+}
+
+TEST(MeasuredShape, LimbsGoFromPlaceToPlace) {
+  const Shape shape = measured_shape(with_places(), Upwards::y);
+  EXPECT_EQ(shape.limbs[0].start, shape.limbs[0].end);
+  EXPECT_EQ(shape.limbs[3].start, (Point3{1, 2, 8}));  // its parent is the second node
+  EXPECT_EQ(shape.limbs[3].end, (Point3{-1, 0, 9}));
+  EXPECT_EQ(shape.limbs[4].start, (Point3{1, 2, 3}));
+  EXPECT_EQ(shape.limbs[3].radius, 2);
+}
+
+TEST(MeasuredShape, WhatPointsUpInTheFileDoesInThePicture) {
+  const Shape shape = measured_shape(with_places(), Upwards::z);
+  EXPECT_EQ(shape.limbs[3].end, (Point3{-1, 9, 0}));  // seen from the front: x to the right, y away
+  EXPECT_EQ(shape.limbs[1].end, (Point3{1, 8, -2}));
+}
+
+TEST(MeasuredShape, ARadiusThatIsNoneIsRefused) {
+  RecordedTree tree = with_places();
+  tree.radii[2] = std::nan("");
+  EXPECT_NE(test::error_of([&] { measured_shape(tree, Upwards::y); }).find("node 3 has the radius"),
+            std::string::npos);
+}
+
 TEST(MeasuredRules, WhatIsNoNumberIsRefused) {
   const double infinite = std::numeric_limits<double>::infinity();
   for (const double value : {std::nan(""), -1.0, infinite}) {

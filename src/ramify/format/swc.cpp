@@ -159,6 +159,7 @@ class Neuron {
       const std::uint32_t below = points.joined_to[node];
       tree.lengths.push_back(below == no_row ? no_length : detail::distance(point, points_[below]));
       tree.radii.push_back(point.radius);
+      tree.places.push_back({point.x, point.y, point.z});
       tree.names.set(node, point.id);
     }
     tree.tree = Tree(points.arity);

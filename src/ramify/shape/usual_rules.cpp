@@ -81,4 +81,18 @@ ShapeRules measured_rules(const RecordedTree& tree) {
   return rules;
 }
 
+Shape measured_shape(const RecordedTree& tree, Upwards upwards) {
+  require_extents(tree, tree.radii, "radius");
+  const auto place = [&](std::size_t node) -> Point3 {
+    const auto& [x, y, z] = tree.places[node];
+    return upwards == Upwards::y ? Point3{x, y, z} : Point3{x, z, -y};
+  };
+  Shape shape{std::vector<Limb>(tree.tree.node_count())};
+  shape.limbs[0] = {place(0), place(0), tree.radii[0]};
+  each_edge(tree.tree, [&](std::size_t parent, std::size_t child) {
+    shape.limbs[child] = {place(parent), place(child), tree.radii[child]};
+  });
+  return shape;
+}
+
 }  // namespace ramify

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+
+#include "ramify/shape/shape.hpp"
 #include "ramify/shape/shape_rules.hpp"
 #include "ramify/tree/recorded_tree.hpp"
 
@@ -17,5 +20,13 @@ ShapeRules thesis_rules(const Tree& tree);
 /// unknown.
 /// @param tree  lives as long as the rules
 ShapeRules measured_rules(const RecordedTree& tree);
+
+/// Which of a file's coordinates points up: neurons are drawn with y, trees in a wood are measured with z.
+enum class Upwards : std::uint8_t { y, z };
+
+/// The form of a tree whose file has the places of its nodes: every limb ends at its own and begins at that
+/// of its parent, the root's has no length. Throws Error where a radius is not known, negative or infinite.
+/// O(nodes).
+Shape measured_shape(const RecordedTree& tree, Upwards upwards);
 
 }  // namespace ramify

@@ -33,6 +33,7 @@ RecordedTree contract_unary(RecordedTree tree) {
     const BranchPieces branch = chain(tree, first, last);
     if (!tree.lengths.empty()) contracted.lengths.push_back(branch.length());
     if (!tree.radii.empty()) contracted.radii.push_back(branch.radius());
+    if (!tree.places.empty()) contracted.places.push_back(tree.places[last]);
     contracted.names.set(arity.size(), tree.names[last]);
     arity.push_back(arities[last]);
     first = last + 1;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,9 @@ struct RecordedTree {
   std::vector<double> lengths;
   std::vector<double> radii;
   NodeNames names;  ///< labels or ids
+  /// x, y and z of every node's end, in the file's unit; empty where the file has none.
+  // NOLINTNEXTLINE(readability-redundant-member-init): -Wextra wants it where an aggregate leaves it out
+  std::vector<std::array<double, 3>> places = {};
 };
 
 }  // namespace ramify
