@@ -58,6 +58,16 @@ PageSection repeat_section(const ClaimOnPage& of, const std::string& command) {
   return {"This claim again", {PageCommands{{command}}, PageParagraph{files + "."}}, {}};
 }
 
+/// Leads to the trees of its models.
+PageTable tree_table(const std::vector<SampleTree>& trees) {
+  PageTable on_page{"Trees of its models", Table({"model", "n", "seed"})};
+  for (const SampleTree& tree : trees) {
+    on_page.table.add(Row().texts({tree.model.text()}).whole(tree.n).whole(tree.seed));
+    on_page.links.push_back(tree.anchor());
+  }
+  return on_page;
+}
+
 }  // namespace
 
 PageTable verdicts_on_page(const std::vector<Verdict>& verdicts, std::string caption) {
@@ -89,6 +99,7 @@ PageSection claim_section(const ClaimOnPage& of, const std::string& command) {
   else
     section.blocks.emplace_back(verdicts_on_page(of.verdicts, fmt::format("The parts of {}", id)));
   for (const FiledPlot& plot : of.plots) section.blocks.push_back(figure_of(plot));
+  if (!of.trees.empty()) section.blocks.emplace_back(tree_table(of.trees));
   for (const Verdict& verdict : of.verdicts) section.parts.push_back(part_section(verdict));
   section.parts.push_back(controls_section(of.verdicts));
   section.parts.push_back(repeat_section(of, command));

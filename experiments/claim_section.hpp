@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "claim.hpp"
+#include "sample_trees.hpp"
 
 #include "ramify/compare/verdict.hpp"
 #include "ramify/page/page.hpp"
@@ -16,11 +17,12 @@ struct ClaimOnPage {
   const Claim& claim;
   std::vector<Verdict> verdicts;
   std::vector<FiledPlot> plots;
+  std::vector<SampleTree> trees;  ///< of its models
 };
 
-/// A claim on the page of the ledger: statement and source, pictures, its parts, how each verdict was
-/// reached, negative controls, the command that repeats it. Its anchor is its number, those of its parts are
-/// theirs.
+/// A claim on the page of the ledger: statement and source, pictures, links to trees of its models, its
+/// parts, how each verdict was reached, negative controls, the command that repeats it. Its anchor is its
+/// number, those of its parts are theirs.
 PageSection claim_section(const ClaimOnPage& of, const std::string& command);
 
 /// A row for every verdict, each with a link to its part and the verdict as a badge.

@@ -20,6 +20,26 @@ std::string command_of(const Reproduction& reproduction, std::string_view claim)
                      claim.empty() ? "" : " --claim " + shell_word(claim), reproduction.options);
 }
 
+PageSection trees_section(const std::vector<SampleTree>& trees) {
+  PageSection section{
+      "Sample trees",
+      {PageParagraph{"The first tree of every model, of 100 internal nodes, as ramify sample "
+                     "--no-graft grows it, in one form: radii by the cube root of the leaves, "
+                     "lengths ten radii, Murray's angles; coloured by Horton-Strahler order."}},
+      {},
+      "trees",
+      "Trees"};
+  for (const SampleTree& tree : trees)
+    section.parts.push_back(
+        {tree.model.text(),
+         {PagePicture{tree.svg, fmt::format("A tree of {} with {} internal nodes", tree.model.text(), tree.n),
+                      fmt::format("{}, n = {}, seed {}, replicate 0", tree.model.text(), tree.n, tree.seed)},
+          PageCommands{{tree.command()}}},
+         {},
+         tree.anchor()});
+  return section;
+}
+
 std::vector<PageBlock> ledger_lead(const Reproduction& reproduction) {
   const auto& verdicts = reproduction.judged.verdicts;
   const auto number = [&](Decision decision) {
@@ -104,7 +124,7 @@ std::vector<ClaimOnPage> claims_on_page(const Reproduction& reproduction,
                                         const std::vector<FiledPlot>& plots) {
   std::vector<ClaimOnPage> claims;
   for (const Claim* claim : reproduction.claims) {
-    ClaimOnPage& of = claims.emplace_back(ClaimOnPage{*claim, {}, {}});
+    ClaimOnPage& of = claims.emplace_back(ClaimOnPage{*claim, {}, {}, trees_of(*claim, reproduction.trees)});
     std::ranges::copy_if(
         reproduction.judged.verdicts, std::back_inserter(of.verdicts),
         [&](const Verdict& verdict) { return claim_of(verdict.finding.statement.part) == claim->id; });
@@ -122,6 +142,7 @@ Page ledger_page(const Reproduction& reproduction, const std::vector<ClaimOnPage
              PageCommands{{command_of(reproduction, reproduction.asked)}}}};
   for (const ClaimOnPage& of : claims)
     page.sections.push_back(claim_section(of, command_of(reproduction, of.claim.id)));
+  if (!reproduction.trees.empty()) page.sections.push_back(trees_section(reproduction.trees));
   page.sections.push_back(sources_section(reproduction));
   return page;
 }

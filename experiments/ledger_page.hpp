@@ -6,6 +6,7 @@
 #include "claim.hpp"
 #include "claim_section.hpp"
 #include "ledger.hpp"
+#include "sample_trees.hpp"
 
 #include "ramify/config/run_config.hpp"
 
@@ -19,6 +20,8 @@ struct Reproduction {
   std::vector<RunConfig> configs;
   std::vector<const Claim*> claims;  ///< that were asked for
   Ledger::Judged judged;
+  // NOLINTNEXTLINE(readability-redundant-member-init): -Wextra wants it where an aggregate leaves it out
+  std::vector<SampleTree> trees = {};  ///< of the models that the claims take trees of
 };
 
 /// The claims with their verdicts and pictures. A plot is of the claim whose number its name begins with.

@@ -8,6 +8,7 @@
 #include "verbs.hpp"
 #include <fmt/format.h>
 
+#include "ramify/config/run_config.hpp"
 #include "ramify/core/memory.hpp"
 #include "ramify/core/nearest_name.hpp"
 #include "ramify/draw/drawing_file.hpp"
@@ -91,8 +92,7 @@ PicturePanel grown_panel(const DrawArguments& options) {
   Model model = Model::parse(options.model);
   const Size n = read_count("--n", options.n);
   model.require_size(n);
-  constexpr std::uint64_t usual_seed = 1996;
-  const std::uint64_t seed = options.seed.empty() ? usual_seed : read_count("--seed", options.seed);
+  const std::uint64_t seed = options.seed.empty() ? default_seed : read_count("--seed", options.seed);
   const std::uint64_t replicate =
       options.replicate.empty() ? 0 : read_count("--replicate", options.replicate);
   return {{}, std::move(model), n, seed, replicate, {}, {}};
@@ -139,9 +139,13 @@ Shape usual_shape(const DrawArguments& options, const RecordedTree& tree, const 
                   const Cancellation& cancellation) {
   const Upwards upwards = upwards_of(options, tree);
   if (!tree.places.empty()) return measured_shape(tree, upwards);
-  const ShapeRules rules = grown == nullptr ? measured_rules(tree) : thesis_rules(tree.tree);
-  Stream chance({grown == nullptr ? 0 : grown->seed, 0}, 0, Lane::form);
-  return place_limbs(tree.tree, rules, chance, cancellation);
+  if (grown == nullptr) {
+    Stream none({0, 0}, 0, Lane::form);  // these rules draw nothing
+    return place_limbs(tree.tree, measured_rules(tree), none, cancellation);
+  }
+  PicturePanel panel = *grown;
+  panel.rules = thesis_rules(tree.tree);
+  return panel_shape(panel, tree.tree, cancellation);
 }
 
 Drawing form_drawing(const DrawArguments& options, const RecordedTree& tree, const PicturePanel* grown,

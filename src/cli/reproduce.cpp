@@ -91,7 +91,8 @@ ExitCode reproduce(const ReproduceArguments& options, Team* team, const Cancella
       deciding_options(options),
       configs,
       asked_for(options),
-      judge_claims(ledger, asked_for(options), workforce.threads, limits, cancellation)};
+      judge_claims(ledger, asked_for(options), workforce.threads, limits, cancellation),
+      sample_trees(asked_for(options), options.flags.given_seed().value_or(default_seed), cancellation)};
   std::vector<NamedPlot> plots = ledger.plots();
   std::ranges::move(law_plots(asked_for(options), limits, workforce.threads, cancellation),
                     std::back_inserter(plots));

@@ -115,6 +115,33 @@ TEST(LedgerPage, HasASectionForEveryClaimWithItsVerdictsPlotsAndCommand) {
     EXPECT_TRUE(holds(page, part)) << part << '\n' << page;
 }
 
+// Every claim leads to a tree of each model that its parts take trees of; a model of two claims is drawn
+// once.
+TEST(LedgerPage, LeadsToATreeOfEveryModel) {
+  Reproduction reproduction = one_claim();
+  reproduction.claims = find_claims("C20 C19 C22");
+  reproduction.trees = sample_trees(reproduction.claims, 7, {});
+  ASSERT_EQ(reproduction.trees.size(), 2u);
+  EXPECT_EQ(reproduction.trees[0].command(),
+            "ramify draw --model bst --n 100 --seed 7 --style branches -o tree.svg");
+  const auto claims = claims_on_page(reproduction, {});
+  for (const ClaimOnPage& of : claims) EXPECT_EQ(of.trees.size(), 1u) << of.claim.id;
+  const std::string html = write_html(ledger_page(reproduction, claims));
+  for (const char* model : {"bst", "catalan"}) {
+    const std::string anchor = std::string("tree-") + model;
+    EXPECT_TRUE(holds(html, "<a href=\"#" + anchor + "\">" + model + "</a>")) << model;
+    EXPECT_TRUE(holds(html, "id=\"" + anchor + "\"")) << model;
+    EXPECT_TRUE(holds(html, std::string(model) + ", n = 100, seed 7, replicate 0")) << model;
+  }
+}
+
+TEST(SampleTree, HasAnAnchorOfWords) {
+  const SampleTree tree{Model::parse("patricia(1/2.74)"), 100, 1, {}};
+  EXPECT_EQ(tree.anchor(), "tree-patricia-1-2-74");
+  EXPECT_EQ(tree.command(),
+            "ramify draw --model 'patricia(1/2.74)' --n 100 --seed 1 --style branches -o tree.svg");
+}
+
 TEST(LedgerPage, LeadsFromEveryRowToItsPart) {
   const Reproduction reproduction = one_claim();
   const std::string html = write_html(ledger_page(reproduction, claims_on_page(reproduction, {})));
