@@ -279,7 +279,8 @@ void add_draw(Program& program) {
   verb.option("--color-by", options->color_by, "of a form: order or bark");
   verb.option("--side", options->side, "of the picture of a form, in pixels", Need::defaulted);
   verb.option("--leaf-order", options->leaf_order, "order of the tips in the key: 0 or 1", Need::defaulted);
-  verb.option("--label", options->label, "of a diagram: at every node its order, depth, leaves or balance");
+  verb.option("--label", options->label,
+              "of a diagram: at every node its order, depth, leaves, balance or alternate_balance");
   verb.flag("--same-lengths", options->same_lengths,
             "every branch as long as another, whatever the file says");
   verb.option("-o,--output", options->output,

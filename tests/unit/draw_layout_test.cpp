@@ -1,4 +1,6 @@
 // Where nodes lie, by hand on small trees, to 1e-12; no pixels.
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -144,6 +146,44 @@ TEST(NodeLink, NumbersStandAtTheNodes) {
               node_link_diagram(large, {.number = NodeNumber::order});
             }).find("leave --label out"),
             std::string::npos);
+}
+
+/// B* word for word (B17), |u| being external nodes: a one-child node's other subtree and both of an external
+/// node are empty, and an empty one has 0.
+class PrintedBalance {
+ public:
+  explicit PrintedBalance(const Tree& tree) : numbers(tree.node_count()) { subtree(tree, 0); }
+
+  std::vector<std::uint64_t> numbers;
+
+ private:
+  struct Subtree {
+    std::size_t nodes = 0;
+    std::uint64_t size = 0, balance = 0;
+  };
+
+  Subtree subtree(const Tree& tree, std::size_t u) {
+    std::size_t next = u + 1;
+    std::array<Subtree, 2> below;
+    for (std::uint32_t child = 0; child < tree.arity(u); ++child) {
+      below[child] = subtree(tree, next);
+      next += below[child].nodes;
+    }
+    const auto [v, w] = below;
+    numbers[u] = std::max(v.balance + (v.size <= w.size ? 1 : 0), w.balance + (w.size <= v.size ? 1 : 0));
+    return {next - u, tree.arity(u) == 0 ? 1 : v.size + w.size, numbers[u]};
+  }
+};
+
+TEST(NodeLink, AlternateBalancesAreThoseThatBeginAtEmptySubtrees) {
+  using Numbers = std::vector<std::uint64_t>;
+  const Tree trie({2, 1, 1, 2, 0, 0, 2, 2, 0, 0, 0});  // of A12, whose balance number is 2
+  const NodeNumber alternate = parse_node_number("alternate_balance");
+  EXPECT_EQ(node_numbers(trie, NodeNumber::balance, 1)[0], 2u);
+  EXPECT_EQ(node_numbers(trie, alternate, 1), (Numbers{3, 2, 2, 2, 1, 1, 2, 2, 1, 1, 1}));
+  for (const Tree& tree :
+       {trie, Tree({0}), Tree({1, 0}), Tree({2, 2, 0, 0, 2, 0, 2, 0, 0}), Tree({2, 0, 2, 0, 2, 0, 0})})
+    EXPECT_EQ(node_numbers(tree, alternate, 1), PrintedBalance(tree).numbers);
 }
 
 TEST(NodeLink, OneNodeIsADrawing) {

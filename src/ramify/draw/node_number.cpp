@@ -1,6 +1,11 @@
 #include "ramify/draw/node_number.hpp"
 
+#include <array>
+#include <string_view>
+#include <utility>
+
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "ramify/core/error.hpp"
 #include "ramify/core/nearest_name.hpp"
@@ -30,13 +35,20 @@ std::vector<std::uint64_t> balances(const Tree& tree) {
 }  // namespace
 
 NodeNumber parse_node_number(const std::string& name) {
-  if (name == "order") return NodeNumber::order;
-  if (name == "depth") return NodeNumber::depth;
-  if (name == "leaves") return NodeNumber::leaves;
-  if (name == "balance") return NodeNumber::balance;
-  throw Error(
-      fmt::format("--label {}", name), "no such number of a node",
-      did_you_mean(name, {"order", "depth", "leaves", "balance"}) + "take order, depth, leaves or balance");
+  using enum NodeNumber;
+  constexpr std::array<std::pair<std::string_view, NodeNumber>, 5> numbers{
+      {{"order", order},
+       {"depth", depth},
+       {"leaves", leaves},
+       {"balance", balance},
+       {"alternate_balance", alternate_balance}}};
+  std::vector<std::string> known;
+  for (const auto& [own, number] : numbers) {
+    if (name == own) return number;
+    known.emplace_back(own);
+  }
+  throw Error(fmt::format("--label {}", name), "no such number of a node",
+              did_you_mean(name, known) + fmt::format("take one of {}", fmt::join(known, ", ")));
 }
 
 std::vector<std::uint64_t> node_numbers(const Tree& tree, NodeNumber kind, unsigned leaf_order) {
@@ -48,9 +60,11 @@ std::vector<std::uint64_t> node_numbers(const Tree& tree, NodeNumber kind, unsig
     case NodeNumber::leaves:
       return as_numbers(magnitudes(tree));
     case NodeNumber::balance:
+      return balances(tree);
+    case NodeNumber::alternate_balance:
       break;
   }
-  return balances(tree);
+  return as_numbers(balances(tree), 1);
 }
 
 }  // namespace ramify
