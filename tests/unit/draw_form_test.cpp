@@ -62,6 +62,24 @@ TEST(ForkOutline, ABarIsATaperedRectangle) {
   expect_at(points[3], 13, 20);
 }
 
+TEST(ForkOutline, ANotchedBarGoesFromCornerToCornerOfTheEnds) {
+  // The first child turns to the left about the left corner of the end, by the angle whose tangent is 3/4.
+  const PageLimb limb{{0, 100}, {0, 0}, 10, 10};
+  const std::array<PageLimb, 1> child{{{{-2, -6}, {-62, -86}, 10, 10}}};
+  Patches patches;
+  add_notched_bar(patches, {0, 0, 0}, limb, child);
+  const auto points = patches.points(0);
+  ASSERT_EQ(points.size(), 6u);
+  expect_at(points[0], -10, 100);
+  expect_at(points[1], -10, 0);
+  // The child's own corners are (-10, 0) and (6, -12): the second makes the notch's triangle with the end's
+  // two. The outline goes on by a quarter of a radius under the child.
+  expect_at(points[2], -11.5, -2);
+  expect_at(points[3], 4.5, -14);
+  expect_at(points[4], 10, 0);
+  expect_at(points[5], 10, 100);
+}
+
 TEST(ForkOutline, SidesRunIntoTheBudsOfChildren) {
   // Straight up, two children at right angles.
   const PageLimb limb{{0, 100}, {0, 0}, 10, 8};
@@ -146,6 +164,21 @@ TEST(TreePicture, FillsItsBox) {
   EXPECT_NEAR(all[0] + all[2], 100, 1e-9);
   EXPECT_GT(all[2] - all[0], 90);
   EXPECT_LE(all[2] - all[0], 100 + 1e-9);
+}
+
+TEST(TreePicture, BarsThatTouchAlongTheirSidesHaveNoNotch) {
+  ShapeRules rules = sticks();
+  rules.joint = BranchJoint::sides;
+  TreeLook look;
+  look.style = TreeLook::Style::bars;
+  EXPECT_EQ(drawn(four_leaves, rules, look).patches.points(0).size(), 4u);
+  look.fills_notches = true;
+  const Drawing drawing = drawn(four_leaves, rules, look);
+  const auto trunk = drawing.patches.points(0), left = drawing.patches.points(1);
+  ASSERT_EQ(trunk.size(), 8u);               // two children
+  EXPECT_EQ(left.size(), 4u);                // none but leaves
+  EXPECT_NEAR(trunk[1].x, left[0].x, 1e-6);  // radii of ends are floats
+  EXPECT_NEAR(trunk[1].y, left[0].y, 1e-6);
 }
 
 TEST(TreePicture, LinesGoWhereTheFormDoes) {

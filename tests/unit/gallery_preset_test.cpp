@@ -50,6 +50,13 @@ TEST(PicturePreset, SaysWhatIsDrawn) {
   EXPECT_EQ(preset.panels[0].rules.main, MainChild::largest);
 }
 
+TEST(PicturePreset, AJointAlongTheSidesFillsItsNotches) {
+  const PicturePanel sides = parsed(with("n = 5", "n = 5\njoint = \"sides\"")).panels[0];
+  EXPECT_EQ(sides.rules.joint, BranchJoint::sides);
+  EXPECT_TRUE(sides.look.fills_notches);
+  EXPECT_FALSE(parsed(with("n = 5", "n = 5\njoint = \"legs\"")).panels[0].look.fills_notches);
+}
+
 TEST(PicturePreset, PanelsInheritWhatTheyDoNotSay) {
   const PicturePreset preset =
       parsed(std::string(small) +

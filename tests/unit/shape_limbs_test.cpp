@@ -321,6 +321,37 @@ TEST(Pythagoras, FlippingExchangesTheAnglesAtEvenDepths) {
   EXPECT_NEAR(angle_between(shape.limbs[1], shape.limbs[2]), 60, 1e-10);
 }
 
+/// A branch of radius 1 and length 2 with children of radii 0.6 on the left and 0.4 on the right.
+ShapeRules touching() {
+  ShapeRules rules{extent("ratios", {1, 0.6, 0.4}), extent("constant", {2}), deviation("roles", {20, 50})};
+  rules.joint = BranchJoint::sides;
+  rules.main = MainChild::first;
+  return rules;
+}
+
+TEST(Joint, SidesMeetOnBothSidesOfTheMothersEnd) {
+  const Shape shape = placed(cherry, touching());
+  const double c = std::cos(radians(20)), s = std::sin(radians(20));
+  expect_point(shape.limbs[1].start, {-1 + 0.6 * c, 2 + 0.6 * s, 0});
+  expect_point(shape.limbs[1].end, {-1 + 0.6 * c - 2 * s, 2 + 0.6 * s + 2 * c, 0});
+  const double wide_c = std::cos(radians(50)), wide_s = std::sin(radians(50));
+  expect_point(shape.limbs[2].start, {1 - 0.4 * wide_c, 2 + 0.4 * wide_s, 0});
+  expect_point(shape.limbs[2].end, {1 - 0.4 * wide_c + 2 * wide_s, 2 + 0.4 * wide_s + 2 * wide_c, 0});
+}
+
+// Whatever has turned a child: the point of the mother's rim is one of its own.
+TEST(Joint, RimsTouchAfterATropismToo) {
+  ShapeRules rules = touching();
+  rules.tropisms = {tropism("torque", {0.3, 0.2, -1, 0.5})};
+  const Shape shape = placed(cherry, rules);
+  for (const auto& [child, corner] : {std::pair(1, Point3{-1, 2, 0}), std::pair(2, Point3{1, 2, 0})}) {
+    const Limb& limb = shape.limbs[static_cast<std::size_t>(child)];
+    const Point3 to_corner = difference(corner, limb.start);
+    EXPECT_NEAR(norm(to_corner), limb.radius, tolerance);
+    EXPECT_NEAR(dot(to_corner, heading(limb)), 0, tolerance);
+  }
+}
+
 TEST(Tropism, TorqueTurnsByTheSineOfTheAngle) {
   ShapeRules rules = sticks(deviation("constant", {40}));
   rules.tropisms = {tropism("torque", {0.22, 0, -1, 0})};

@@ -23,9 +23,20 @@ double bud_length(const PageLimb& limb) {
 }  // namespace
 
 void add_bar(Patches& patches, const Color& color, const PageLimb& limb) {
+  add_notched_bar(patches, color, limb, {});
+}
+
+void add_notched_bar(Patches& patches, const Color& color, const PageLimb& limb,
+                     std::span<const PageLimb> children) {
   const PagePoint left = to_the_left(direction(limb));
   patches.begin(color, limb.start + left * limb.start_radius);
   patches.line(limb.end + left * limb.end_radius);
+  for (const PageLimb& child : children) {
+    const PagePoint along = direction(child), side = to_the_left(along) * child.start_radius;
+    const double lap = std::min(0.25 * child.start_radius, 0.5 * length(child.end - child.start));
+    patches.line(child.start + along * lap + side);
+    patches.line(child.start + along * lap - side);
+  }
   patches.line(limb.end - left * limb.end_radius);
   patches.line(limb.start - left * limb.start_radius);
 }

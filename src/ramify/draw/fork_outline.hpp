@@ -15,6 +15,13 @@ struct PageLimb {
 /// A deformed rectangle (G1): the branch by itself.
 void add_bar(Patches& patches, const Color& color, const PageLimb& limb);
 
+/// The same with the notches between its end and those of its children, small triangles of its colour (G2;
+/// Viennot et al. 1989): its outline goes from corner to corner of their ends, and a quarter of a radius
+/// under the children, so that no seam shows.
+/// @param children  from the left to the right of who goes up the branch
+void add_notched_bar(Patches& patches, const Color& color, const PageLimb& limb,
+                     std::span<const PageLimb> children);
+
 /// Where a branch leaves the smooth unit that its mother's end is, and its own begins.
 PagePoint bud_end(const PageLimb& limb);
 

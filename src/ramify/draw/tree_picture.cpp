@@ -201,7 +201,8 @@ class Picture {
 
   void add_branch(std::size_t node) {
     const PageLimb limb = on_page(node);
-    if (look_.style == Style::bars) return add_bar(drawing_.patches, color(node), limb);
+    if (look_.style == Style::bars && !look_.fills_notches)
+      return add_bar(drawing_.patches, color(node), limb);
     buds_.clear();
     for (const std::uint32_t child : children_.of(node)) buds_.push_back(on_page(child));
     const PagePoint h = limb.end - limb.start, left = to_the_left(h);
@@ -210,6 +211,7 @@ class Picture {
       return -std::atan2(dot(way, left), dot(way, h));
     };
     std::ranges::sort(buds_, {}, turn);
+    if (look_.style == Style::bars) return add_notched_bar(drawing_.patches, color(node), limb, buds_);
     add_fork(drawing_.patches, color(node), limb, node == 0 ? limb.start : own_start(limb), buds_);
     if (has_flower(node)) add_flower(limb.end);
   }

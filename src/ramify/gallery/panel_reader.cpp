@@ -44,6 +44,7 @@ PicturePanel read_panel(std::string_view file, const FindKey& find) {
                      0,
                      read_rules(file, find),
                      read_look(find)};
+  panel.look.fills_notches = panel.rules.joint == BranchJoint::sides;
   at_place(n, [&] { panel.model.require_size(panel.n); });
   if (const auto caption = find("caption")) panel.caption = caption->text(caption_wanted);
   if (const auto seed = find("seed")) panel.seed = seed->whole(0, INT64_MAX, number_wanted);

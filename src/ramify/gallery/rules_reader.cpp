@@ -105,8 +105,8 @@ ShapeRules read_rules(std::string_view file, const FindKey& find) {
       {{"coplanar", Arrangement::coplanar},
        {"alternating", Arrangement::alternating},
        {"whorl", Arrangement::whorl}}};
-  constexpr std::array<std::pair<std::string_view, BranchJoint>, 2> joints{
-      {{"centre", BranchJoint::centre}, {"legs", BranchJoint::legs}}};
+  constexpr std::array<std::pair<std::string_view, BranchJoint>, 3> joints{
+      {{"centre", BranchJoint::centre}, {"legs", BranchJoint::legs}, {"sides", BranchJoint::sides}}};
   ShapeRules rules{read_rule(required("radius"), extent_rules(), "radius"),
                    read_rule(required("length"), extent_rules(), "length"),
                    read_rule(required("deviation"), deviation_rules(), "deviation")};

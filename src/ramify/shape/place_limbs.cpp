@@ -29,6 +29,7 @@ Point3 point_of(const Vector& vector) {
 struct Frame {
   Vector h, e;
   Vector n() const { return h.cross(e); }
+  Vector across(double side) const { return e * std::cos(side) + n() * std::sin(side); }
 };
 
 /// Turned by an angle in radians about a unit axis.
@@ -194,11 +195,10 @@ class Placing {
 
   void add_child(const Twig& mother, std::size_t child, double side, double deviation) {
     NodeFacts& facts = facts_[child];
-    const Vector u = mother.frame.e * std::cos(side) + mother.frame.n() * std::sin(side);
-    Frame frame = turned(mother.frame, mother.frame.h.cross(u), deviation);
+    Frame frame = turned(mother.frame, mother.frame.h.cross(mother.frame.across(side)), deviation);
     for (const Tropism& tropism : rules_.tropisms) frame = headed_by(tropism, frame, facts);
     facts.length = extent(rules_.length, "length", nodes_[child], facts, mother.facts.length);
-    const Vector start = start_of(mother, u, deviation, facts.radius);
+    const Vector start = start_of(mother, frame, side, facts.radius);
     Vector end = start + frame.h * facts.length;
     Vector moved = end;
     for (const Tropism& tropism : rules_.tropisms) moved += shift_of(tropism, end, facts);
@@ -212,11 +212,10 @@ class Placing {
     open_.push_back({nodes_[child], facts, frame});
   }
 
-  Vector start_of(const Twig& mother, const Vector& u, double deviation, double radius) const {
+  Vector start_of(const Twig& mother, const Frame& child, double side, double radius) const {
     Vector end = vector_of(shape_.limbs[mother.node].end);
     if (rules_.joint == BranchJoint::centre) return end;
-    const Vector along_leg = mother.frame.h * std::sin(deviation) - u * std::cos(deviation);
-    return end + u * mother.facts.radius + along_leg * radius;
+    return end + mother.frame.across(side) * mother.facts.radius - child.across(side) * radius;
   }
 
   Frame headed_by(const Tropism& tropism, const Frame& frame, const NodeFacts& node) const {

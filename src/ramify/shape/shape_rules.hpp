@@ -23,7 +23,9 @@ enum class Arrangement : std::uint8_t {
 /// How far a child's cylinder begins from the middle of the mother's end.
 enum class BranchJoint : std::uint8_t {
   centre,  ///< there (E1)
-  legs,    ///< on the middle of its leg of the triangle over the mother's end (E7); of two children
+  legs,    ///< so that both touch in a point of their rims, on the side to which the child turns: on the
+           ///< middle of its leg of the triangle over the mother's end (E7)
+  sides,   ///< as far, and the notch that is left between the two ends is filled where it is drawn (G2)
 };
 
 /// All that makes a form of a tree.
