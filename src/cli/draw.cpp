@@ -101,7 +101,7 @@ PicturePanel grown_panel(const DrawArguments& options) {
 /// Refuses a tree whose form would not fit into memory.
 void require_drawing_memory(const PicturePanel& panel) {
   require_memory("the drawing", "--n", panel.n,
-                 [&](Size size) { return drawing_bytes(expected_nodes(panel.model, size)); });
+                 [&](Size size) { return drawing_bytes(expected_pieces(panel, size)); });
 }
 
 RecordedTree grow_tree(const PicturePanel& panel, const DrawingFile& file, const Cancellation& cancellation) {
@@ -204,7 +204,7 @@ PicturePreset asked_preset(const DrawArguments& options) {
 
 Drawing picture(const DrawArguments& options, const DrawingFile& file, const Cancellation& cancellation) {
   const PicturePreset preset = asked_preset(options);
-  file.require_room(expected_nodes(preset));
+  file.require_room(expected_pieces(preset));
   for (const PicturePanel& panel : preset.panels) require_drawing_memory(panel);
   return preset_drawing(preset, side_of(options), cancellation);
 }

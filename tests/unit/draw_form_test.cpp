@@ -62,6 +62,21 @@ TEST(ForkOutline, ABarIsATaperedRectangle) {
   expect_at(points[3], 13, 20);
 }
 
+TEST(ForkOutline, ARibbonIsABarThatBends) {
+  Patches patches;
+  const std::array<PagePoint, 3> line{{{10, 40}, {10, 20}, {30, 20}}};
+  add_ribbon(patches, {0, 0, 0}, line, 3, 1);
+  const auto points = patches.points(0);
+  ASSERT_EQ(points.size(), 6u);
+  const double half = 2 / std::sqrt(2);  // at the corner it is 2 broad to either side of the way between
+  expect_at(points[0], 7, 40);
+  expect_at(points[1], 10 - half, 20 - half);
+  expect_at(points[2], 30, 19);
+  expect_at(points[3], 30, 21);
+  expect_at(points[4], 10 + half, 20 + half);
+  expect_at(points[5], 13, 40);
+}
+
 TEST(ForkOutline, ANotchedBarGoesFromCornerToCornerOfTheEnds) {
   // The first child turns to the left about the left corner of the end, by the angle whose tangent is 3/4.
   const PageLimb limb{{0, 100}, {0, 0}, 10, 10};
@@ -191,6 +206,29 @@ TEST(TreePicture, LinesGoWhereTheFormDoes) {
   expect_at(drawing.strokes[0].lines[0].from, 50, 50 + scale * 0.75);
   expect_at(drawing.strokes[0].lines[0].to, 50, 50 - scale * 0.25);
   expect_at(drawing.strokes[0].lines[1].to, 0, 50 - scale * 0.75);
+}
+
+TEST(TreePicture, BranchesThatBendGoFromPlaceToPlace) {
+  Shape shape = test::placed(four_leaves, sticks());
+  for (const Limb& limb : shape.limbs) {
+    const Point3 beside{limb.start[0] + 0.2, (limb.start[1] + limb.end[1]) / 2, 0};
+    shape.bends.push_back(beside);
+  }
+  const auto picture = [&](TreeLook::Style style) {
+    TreeLook look;
+    look.style = style;
+    look.has_shadow = true;
+    Drawing drawing{100, 100, {}, {}};
+    add_tree(drawing, {0, 0, 100, 100}, four_leaves, shape, look, Cancellation());
+    return drawing;
+  };
+  const Drawing lines = picture(TreeLook::Style::lines);
+  ASSERT_EQ(lines.strokes[0].lines.size(), 6u);
+  expect_at(lines.strokes[0].lines[1].from, lines.strokes[0].lines[0].to.x, lines.strokes[0].lines[0].to.y);
+  const Drawing ribbons = picture(TreeLook::Style::branches);
+  EXPECT_EQ(ribbons.patches.count(), 3u + 3 + 2);  // shadows, branches, and joints of all but the trunk
+  EXPECT_EQ(ribbons.patches.points(0).size(), 6u);
+  EXPECT_EQ(ribbons.patches.points(3).size(), 6u);
 }
 
 TEST(TreePicture, WhatIsNearerLiesOverWhatIsFarther) {

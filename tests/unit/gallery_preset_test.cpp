@@ -50,6 +50,31 @@ TEST(PicturePreset, SaysWhatIsDrawn) {
   EXPECT_EQ(preset.panels[0].rules.main, MainChild::largest);
 }
 
+// The ends of branches are those of the straight ones, and the same tree has the same walks.
+TEST(PicturePreset, AWalkLeavesTheFormAsItIs) {
+  const std::string walk = "n = 50\nplane = { rule = \"random\" }";
+  const auto shape_of = [&](const std::string& lines) {
+    const PicturePanel panel = parsed(with("n = 5", lines)).panels[0];
+    return panel_shape(panel, panel_tree(panel, Cancellation()).tree, Cancellation());
+  };
+  const Shape straight = shape_of(walk);
+  const Shape walking = shape_of(walk + "\nwalk = { steps = 4, deviation = 0.1 }");
+  EXPECT_TRUE(straight.bends.empty());
+  ASSERT_EQ(walking.bends.size(), 3 * walking.limbs.size());
+  for (std::size_t limb = 0; limb < straight.limbs.size(); ++limb) {
+    EXPECT_EQ(walking.limbs[limb].start, straight.limbs[limb].start);
+    EXPECT_EQ(walking.limbs[limb].end, straight.limbs[limb].end);
+  }
+  EXPECT_EQ(walking.bends, shape_of(walk + "\nwalk = { steps = 4, deviation = 0.1 }").bends);
+  EXPECT_NE(walking.bends, shape_of(walk + "\nreplicate = 1\nwalk = { steps = 4, deviation = 0.1 }").bends);
+}
+
+TEST(PicturePreset, EveryStepOfAWalkIsAPiece) {
+  const PicturePreset preset =
+      parsed(std::string(small) + "[[panel]]\n[[panel]]\nwalk = { steps = 4, deviation = 0.1 }\n");
+  EXPECT_EQ(expected_pieces(preset), 11 + 4 * 11);
+}
+
 TEST(PicturePreset, AJointAlongTheSidesFillsItsNotches) {
   const PicturePanel sides = parsed(with("n = 5", "n = 5\njoint = \"sides\"")).panels[0];
   EXPECT_EQ(sides.rules.joint, BranchJoint::sides);
@@ -108,6 +133,9 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"n = 5", "n = 5\nlook = { bark = \"brown\" }", "a colour is # and six digits"},
         Refusal{"n = 5", "n = 5\nlook = { leaves = { apex = \"round\" } }", "did you mean rounded"},
         Refusal{"n = 5", "n = 5\nmain = \"bigest\"", "main = \"bigest\""},
+        Refusal{"n = 5", "n = 5\nwalk = { steps = 1, deviation = 0.1 }", "steps = 1"},
+        Refusal{"n = 5", "n = 5\nwalk = { steps = 8 }", "small.toml:5:8: half a walk"},
+        Refusal{"n = 5", "n = 5\nwalk = { steps = 8, deviaton = 1 }", "did you mean deviation"},
         Refusal{"n = 5", "n = 5\ntropism = [{ rule = \"pull\" }]", "the rule pull without strength"},
         Refusal{"title", "title =", "this is not TOML"}),
     [](const auto& refusal) { return "Case" + std::to_string(refusal.index); });

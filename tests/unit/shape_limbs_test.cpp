@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "ramify/shape/degrees.hpp"
+#include "ramify/shape/limb_walk.hpp"
 
 namespace ramify {
 namespace {
@@ -350,6 +351,38 @@ TEST(Joint, RimsTouchAfterATropismToo) {
     EXPECT_NEAR(norm(to_corner), limb.radius, tolerance);
     EXPECT_NEAR(dot(to_corner, heading(limb)), 0, tolerance);
   }
+}
+
+// Of a bridge from 0 to 0 the variance after the part t of a walk is t (1 - t) that of the free walk's end.
+TEST(LimbWalk, PlacesHaveTheMeansAndVariancesOfABridge) {
+  constexpr std::size_t walks = 20'000, steps = 4;
+  const std::vector<Limb> limbs(walks, {{1, 2, 3}, {1, 6, 6}, 1});  // 5 long
+  Stream chance({19, 0}, 0, Lane::limb_walk);
+  const auto bends = bends_of_walks(limbs, {steps, 0.2}, chance);
+  ASSERT_EQ(bends.size(), walks * (steps - 1));
+  for (std::size_t step = 1; step < steps; ++step) {
+    const double part = static_cast<double>(step) / steps, variance = part * (1 - part);
+    const Point3 between{1, 2 + 4 * part, 3 + 3 * part};
+    for (std::size_t i = 0; i < 3; ++i) {
+      double sum = 0, squares = 0;
+      for (std::size_t walk = 0; walk < walks; ++walk) {
+        const double off = bends[walk * (steps - 1) + step - 1][i] - between[i];  // free ends: 0.2 times 5
+        sum += off;
+        squares += off * off;
+      }
+      // Five standard errors.
+      EXPECT_NEAR(sum / walks, 0, 5 * std::sqrt(variance / walks));
+      EXPECT_NEAR(squares / walks, variance, 5 * variance * std::sqrt(2.0 / walks));
+    }
+  }
+}
+
+TEST(LimbWalk, WithoutDeviationItIsTheStraightWay) {
+  const std::vector<Limb> limbs{{{0, 0, 0}, {3, 6, 9}, 1}};
+  Stream chance({19, 0}, 0, Lane::limb_walk);
+  const auto bends = bends_of_walks(limbs, {3, 0}, chance);
+  expect_point(bends[0], {1, 2, 3});
+  expect_point(bends[1], {2, 4, 6});
 }
 
 TEST(Tropism, TorqueTurnsByTheSineOfTheAngle) {

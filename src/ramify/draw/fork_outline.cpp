@@ -7,11 +7,14 @@
 namespace ramify {
 namespace {
 
-/// A branch that points at who looks has no direction on the page: any will do.
-PagePoint direction(const PageLimb& limb) {
-  const PagePoint way = limb.end - limb.start;
+/// A way that points at who looks has no direction on the page: any will do.
+PagePoint direction(PagePoint way) {
   const double far = length(way);
   return far > 1e-9 ? way * (1 / far) : PagePoint{0, -1};
+}
+
+PagePoint direction(const PageLimb& limb) {
+  return direction(limb.end - limb.start);
 }
 
 /// As long as the wider of the two asks, never more than half the branch.
@@ -24,6 +27,19 @@ double bud_length(const PageLimb& limb) {
 
 void add_bar(Patches& patches, const Color& color, const PageLimb& limb) {
   add_notched_bar(patches, color, limb, {});
+}
+
+void add_ribbon(Patches& patches, const Color& color, std::span<const PagePoint> line, double start_radius,
+                double end_radius) {
+  const std::size_t last = line.size() - 1;
+  const auto side = [&](std::size_t i) {
+    const PagePoint way = line[std::min(i + 1, last)] - line[i == 0 ? 0 : i - 1];
+    const double part = static_cast<double>(i) / static_cast<double>(last);
+    return to_the_left(direction(way)) * (start_radius + part * (end_radius - start_radius));
+  };
+  patches.begin(color, line[0] + side(0));
+  for (std::size_t i = 1; i <= last; ++i) patches.line(line[i] + side(i));
+  for (std::size_t i = last + 1; i-- > 0;) patches.line(line[i] - side(i));
 }
 
 void add_notched_bar(Patches& patches, const Color& color, const PageLimb& limb,

@@ -15,7 +15,12 @@ struct PageLimb {
 /// A deformed rectangle (G1): the branch by itself.
 void add_bar(Patches& patches, const Color& color, const PageLimb& limb);
 
-/// The same with the notches between its end and those of its children, small triangles of its colour (G2;
+/// A branch that goes from place to place: as broad there as a bar on the way would be.
+/// @param line  two places at least, from its start to its end
+void add_ribbon(Patches& patches, const Color& color, std::span<const PagePoint> line, double start_radius,
+                double end_radius);
+
+/// A bar with the notches between its end and those of its children, small triangles of its colour (G2;
 /// Viennot et al. 1989): its outline goes from corner to corner of their ends, and a quarter of a radius
 /// under the children, so that no seam shows.
 /// @param children  from the left to the right of who goes up the branch

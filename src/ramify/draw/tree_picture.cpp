@@ -129,16 +129,15 @@ class Picture {
     Span across, upward;
     for (std::size_t node = 0; node < tree_.node_count(); ++node) {
       if (!is_branch(node)) continue;
-      const Limb& limb = shape_.limbs[node];
-      for (const Point3& point : {limb.start, limb.end}) {
-        const double around = look_.style == Style::lines ? 0 : limb.radius;
+      const double around = look_.style == Style::lines ? 0 : shape_.limbs[node].radius;
+      each_place(node, [&](const Point3& point) {
         across.add(look_.view.across(point), around);
         upward.add(look_.view.upward(point), around);
         nearness_.add(look_.view.nearness(point));
-        if (!look_.has_shadow) continue;
+        if (!look_.has_shadow) return;
         across.add(look_.view.across(on_ground(point)), around);
         upward.add(look_.view.upward(on_ground(point)), around);
-      }
+      });
     }
     if (nearness_.length() < 0)  // nothing but a leaf
       for (Span* span : {&across, &upward, &nearness_}) span->add(0);
@@ -154,6 +153,21 @@ class Picture {
 
   PagePoint place(const Point3& point) const {
     return {origin_.x + scale_ * look_.view.across(point), origin_.y - scale_ * look_.view.upward(point)};
+  }
+
+  /// Of a branch: its ends, and where it bends between them.
+  template <class Visit>
+  void each_place(std::size_t node, Visit visit) const {
+    visit(shape_.limbs[node].start);
+    for (const Point3& bend : shape_.bends_of(node)) visit(bend);
+    visit(shape_.limbs[node].end);
+  }
+
+  /// The same on the page, until the next is asked for.
+  std::span<const PagePoint> line_of(std::size_t node) {
+    line_.clear();
+    each_place(node, [&](const Point3& point) { line_.push_back(place(point)); });
+    return line_;
   }
 
   PageLimb on_page(std::size_t node) const {
@@ -193,14 +207,15 @@ class Picture {
       drawing_.strokes.push_back({look_.by_order ? pens_.color(pen) : look_.bark, look_.line_width, {}});
     for (std::size_t node = 0; node < tree_.node_count(); ++node) {
       if (!is_branch(node)) continue;
-      const Limb& limb = shape_.limbs[node];
       auto& lines = drawing_.strokes[first + (look_.by_order ? orders_[node] : 0)].lines;
-      lines.push_back({place(limb.start), place(limb.end)});
+      const auto line = line_of(node);
+      for (std::size_t i = 1; i < line.size(); ++i) lines.push_back({line[i - 1], line[i]});
     }
   }
 
   void add_branch(std::size_t node) {
     const PageLimb limb = on_page(node);
+    if (!shape_.bends.empty()) return add_walk(node, limb);
     if (look_.style == Style::bars && !look_.fills_notches)
       return add_bar(drawing_.patches, color(node), limb);
     buds_.clear();
@@ -214,6 +229,12 @@ class Picture {
     if (look_.style == Style::bars) return add_notched_bar(drawing_.patches, color(node), limb, buds_);
     add_fork(drawing_.patches, color(node), limb, node == 0 ? limb.start : own_start(limb), buds_);
     if (has_flower(node)) add_flower(limb.end);
+  }
+
+  /// A walk turns too often for smooth forks: it is a ribbon that begins with a round joint.
+  void add_walk(std::size_t node, const PageLimb& limb) {
+    if (node != 0) add_disc(drawing_.patches, color(node), limb.start, limb.start_radius);
+    add_ribbon(drawing_.patches, color(node), line_of(node), limb.start_radius, limb.end_radius);
   }
 
   /// Blossoms and fruit stand where a branch ends in two leaves and nothing else.
@@ -265,19 +286,23 @@ class Picture {
     Stroke needles{needle_color, std::max(0.3, 0.06 * needle_length()), {}};
     for (std::size_t node = 0; node < tree_.node_count(); ++node) {
       if (!is_branch(node)) continue;
-      const PageLimb limb = on_page(node);
-      const PagePoint way = limb.end - limb.start;
-      const double far = length(way);
-      if (far < 1e-9) continue;
-      const PagePoint h = way * (1 / far), left = to_the_left(h);
-      const auto pairs = static_cast<int>(std::ceil(far / (0.25 * needle_length())));
-      for (int pair = 0; pair < pairs; ++pair) {
-        const PagePoint at = limb.start + way * ((pair + 0.5) / pairs);
-        for (const double side : {-1.0, 1.0})
-          needles.lines.push_back({at, at + (left * (side * 0.8) + h * 0.6) * needle_length()});
-      }
+      const auto line = line_of(node);
+      for (std::size_t i = 1; i < line.size(); ++i) add_needles_between(line[i - 1], line[i], needles.lines);
     }
     drawing_.strokes.push_back(std::move(needles));
+  }
+
+  void add_needles_between(PagePoint from, PagePoint to, std::vector<Stroke::Line>& lines) const {
+    const PagePoint way = to - from;
+    const double far = length(way);
+    if (far < 1e-9) return;
+    const PagePoint h = way * (1 / far), left = to_the_left(h);
+    const auto pairs = static_cast<int>(std::ceil(far / (0.25 * needle_length())));
+    for (int pair = 0; pair < pairs; ++pair) {
+      const PagePoint at = from + way * ((pair + 0.5) / pairs);
+      for (const double side : {-1.0, 1.0})
+        lines.push_back({at, at + (left * (side * 0.8) + h * 0.6) * needle_length()});
+    }
   }
 
   double needle_length() const { return look_.leaves ? leaf_length_ : 5; }
@@ -294,10 +319,10 @@ class Picture {
   void add_shadow() {
     for (std::size_t node = 0; node < tree_.node_count(); ++node) {
       if (!is_branch(node)) continue;
-      PageLimb limb = on_page(node);
-      limb.start = place(on_ground(shape_.limbs[node].start));
-      limb.end = place(on_ground(shape_.limbs[node].end));
-      add_bar(drawing_.patches, shadow_color, limb);
+      const PageLimb limb = on_page(node);
+      line_.clear();
+      each_place(node, [&](const Point3& point) { line_.push_back(place(on_ground(point))); });
+      add_ribbon(drawing_.patches, shadow_color, line_, limb.start_radius, limb.end_radius);
     }
   }
 
@@ -316,6 +341,7 @@ class Picture {
   PagePoint origin_{};
   double scale_ = 1, leaf_length_ = 0, deepest_ = 1;
   std::vector<PageLimb> buds_;
+  std::vector<PagePoint> line_;
 };
 
 }  // namespace

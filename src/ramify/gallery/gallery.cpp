@@ -84,7 +84,7 @@ class Gallery {
 
   void add(const PicturePreset& preset, const Cancellation& cancellation) {
     const DrawingFile file(folder_ / (preset.name + ".svg"));
-    file.require_room(expected_nodes(preset));
+    file.require_room(expected_pieces(preset));
     const Drawing drawing = preset_drawing(preset, picture_side, cancellation);
     file.write(drawing, cancellation);
     Drawing thumbnail{thumbnail_side, thumbnail_side, {}, {}};

@@ -11,15 +11,16 @@
 namespace ramify::detail {
 namespace {
 
-constexpr std::array<std::string_view, 18> all_panel_keys{
-    "caption",  "model",  "n",         "seed",         "replicate", "main",
-    "radius",   "length", "deviation", "plane",        "tropism",   "arrangement",
-    "azimuths", "joint",  "mirrors",   "foreshortens", "view",      "look"};
+constexpr std::array<std::string_view, 19> all_panel_keys{
+    "caption", "model",        "n",     "seed",    "replicate",   "main",     "radius",
+    "length",  "deviation",    "plane", "tropism", "arrangement", "azimuths", "joint",
+    "mirrors", "foreshortens", "walk",  "view",    "look"};
 
 constexpr Expected caption_wanted{"a text", "caption = \"n = 100\""};
 constexpr Expected model_wanted{"a model", "model = \"bst\""};
 constexpr Expected size_wanted{"a whole number", "n = 500"};
 constexpr Expected number_wanted{"a whole number", "seed = 1996"};
+constexpr Expected walk_wanted{"a table", "walk = { steps = 12, deviation = 0.1 }"};
 constexpr Expected panels_wanted{"a list of tables", "[[panel]] before the keys of each"};
 
 constexpr std::uint64_t usual_seed = 1996;
@@ -30,6 +31,18 @@ Model read_model(const TomlValue& value) {
   if (const auto at = text.find('@'); at != std::string::npos)
     text.replace(at, 1, (std::filesystem::path(value.file()).parent_path() / "").string());
   return at_place(value, [&] { return Model::parse(text); });
+}
+
+LimbWalk read_walk(const TomlValue& value) {
+  constexpr std::array<std::string_view, 2> keys{"steps", "deviation"};
+  constexpr std::uint64_t most_steps = 1000;
+  const TomlTable table(value.file(), value.table(walk_wanted));
+  table.require_known("walk", keys);
+  const auto steps = table.find("steps"), deviation = table.find("deviation");
+  if (!steps || !deviation)
+    value.fail("half a walk", "it has a number of steps and a deviation",
+               fmt::format("write {}", walk_wanted.example));
+  return {steps->whole(2, most_steps, walk_wanted), read_between(*deviation, 0, 1, walk_wanted)};
 }
 
 PicturePanel read_panel(std::string_view file, const FindKey& find) {
@@ -46,6 +59,7 @@ PicturePanel read_panel(std::string_view file, const FindKey& find) {
                      read_look(find)};
   panel.look.fills_notches = panel.rules.joint == BranchJoint::sides;
   at_place(n, [&] { panel.model.require_size(panel.n); });
+  if (const auto walk = find("walk")) panel.walk = read_walk(*walk);
   if (const auto caption = find("caption")) panel.caption = caption->text(caption_wanted);
   if (const auto seed = find("seed")) panel.seed = seed->whole(0, INT64_MAX, number_wanted);
   if (const auto replicate = find("replicate"))

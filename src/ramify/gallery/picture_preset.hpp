@@ -9,6 +9,7 @@
 
 #include "ramify/draw/tree_look.hpp"
 #include "ramify/model/model.hpp"
+#include "ramify/shape/limb_walk.hpp"
 #include "ramify/shape/shape_rules.hpp"
 
 namespace ramify {
@@ -21,6 +22,8 @@ struct PicturePanel {
   std::uint64_t seed, replicate;
   ShapeRules rules;
   TreeLook look;
+  // NOLINTNEXTLINE(readability-redundant-member-init): -Wextra wants it where an aggregate leaves it out
+  std::optional<LimbWalk> walk = {};
 };
 
 /// A picture of the sources as a file of configs/draw says it: rules and constants (docs/draw.md).

@@ -29,14 +29,24 @@ RecordedTree panel_tree(const PicturePanel& panel, const Cancellation& cancellat
 }
 
 Shape panel_shape(const PicturePanel& panel, const Tree& tree, const Cancellation& cancellation) {
-  Stream chance({panel.seed, panel.model.stream_cell(panel.n)}, panel.replicate, Lane::form);
-  return place_limbs(tree, panel.rules, chance, cancellation);
+  const StreamKey key{panel.seed, panel.model.stream_cell(panel.n)};
+  Stream chance(key, panel.replicate, Lane::form);
+  Shape shape = place_limbs(tree, panel.rules, chance, cancellation);
+  if (panel.walk) {
+    Stream steps(key, panel.replicate, Lane::limb_walk);
+    shape.bends = bends_of_walks(shape.limbs, *panel.walk, steps);
+  }
+  return shape;
 }
 
-double expected_nodes(const PicturePreset& preset) {
-  double nodes = 0;
-  for (const PicturePanel& panel : preset.panels) nodes += expected_nodes(panel.model, panel.n);
-  return nodes;
+double expected_pieces(const PicturePanel& panel, Size n) {
+  return expected_nodes(panel.model, n) * (panel.walk ? static_cast<double>(panel.walk->steps) : 1);
+}
+
+double expected_pieces(const PicturePreset& preset) {
+  double pieces = 0;
+  for (const PicturePanel& panel : preset.panels) pieces += expected_pieces(panel, panel.n);
+  return pieces;
 }
 
 Drawing preset_drawing(const PicturePreset& preset, double side, const Cancellation& cancellation) {

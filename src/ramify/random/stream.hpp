@@ -18,6 +18,7 @@ enum class Lane : std::uint64_t {
   walk = 1,           ///< choices a fold makes on the finished tree (the walk to the last node)
   external_walk = 2,  ///< the walk to an external node
   form = 3,           ///< the form that rules of shape give a grown tree
+  limb_walk = 4,      ///< how its branches wander from end to end
 };
 
 /// A counter-based stream of 64-bit words: Philox4x64-10 (Salmon et al. 2011) of the counter

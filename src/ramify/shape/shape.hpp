@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <vector>
 
 #include "ramify/shape/tropism.hpp"
@@ -16,6 +18,14 @@ struct Limb {
 /// leaves).
 struct Shape {
   std::vector<Limb> limbs;
+  /// Of limbs that are no straight lines, places between their ends: as many of each, limb by limb.
+  // NOLINTNEXTLINE(readability-redundant-member-init): -Wextra wants it where an aggregate leaves it out
+  std::vector<Point3> bends = {};
+
+  std::span<const Point3> bends_of(std::size_t limb) const {
+    const std::size_t each = bends.size() / limbs.size();
+    return std::span(bends).subspan(limb * each, each);
+  }
 };
 
 }  // namespace ramify
