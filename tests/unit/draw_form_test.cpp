@@ -152,6 +152,31 @@ TEST(LeafOutline, EveryApexAndBaseIsAnOutlineOfItsOwn) {
   EXPECT_EQ(parse_base("cordate"), LeafForm::Base::cordate);
 }
 
+TEST(LeafOutline, AnOakLeafHasLobesAndSinuses) {
+  LeafForm form;
+  form.margin = parse_margin("lobed");
+  Patches patches;
+  add_leaf(patches, form, {0, 1, 0}, {0, 0}, {0, -10});
+  const Bounds bounds = bounds_of(patches, 0);
+  EXPECT_NEAR(bounds[0], -2.5, 1e-12);
+  EXPECT_NEAR(bounds[1], -10, 1e-12);
+  EXPECT_NEAR(bounds[2], 2.5, 1e-12);
+  EXPECT_NEAR(bounds[3], 0, 1e-12);
+  const auto points = patches.points(0);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const PagePoint other = points[points.size() - 1 - i];
+    expect_at(points[i], -other.x, other.y);
+  }
+  // Where curves meet on the left half, the breadth turns twice at every lobe of a side, and at that of the
+  // tip.
+  std::vector<double> breadths;
+  for (std::size_t i = 0; points[i].y > -10 || i == 0; i += 3) breadths.push_back(-points[i].x);
+  std::size_t turns = 1;  // the tip's own
+  for (std::size_t i = 1; i + 1 < breadths.size(); ++i)
+    turns += (breadths[i] - breadths[i - 1]) * (breadths[i + 1] - breadths[i]) < 0;
+  EXPECT_EQ(turns, 2u * 3 + 1);
+}
+
 ShapeRules sticks() {
   return {test::extent("constant", {0.1}), test::extent("constant", {1}), test::deviation("constant", {60})};
 }

@@ -16,10 +16,12 @@ namespace {
 
 using Apex = LeafForm::Apex;
 using Base = LeafForm::Base;
+using Margin = LeafForm::Margin;
 
 constexpr std::array<std::string_view, 9> apex_names{
     "acuminate", "acute", "cuspidate", "mucronate", "obtuse", "rounded", "truncate", "retuse", "emarginate"};
 constexpr std::array<std::string_view, 4> base_names{"cuneate", "rounded", "cordate", "truncate"};
+constexpr std::array<std::string_view, 2> margin_names{"entire", "lobed"};
 
 template <class Form, std::size_t count>
 Form named_form(const std::array<std::string_view, count>& all, std::string_view kind,
@@ -74,6 +76,29 @@ Curves apex_curves(Apex apex) {
   return {};
 }
 
+/// A white oak's leaf from its foot, which is not written, to its tip: a wedge, then lobes by turns with
+/// sinuses, the broadest beyond the middle.
+Curves lobed_curves() {
+  return {{0.08, 0.02}, {0.12, 0.05}, {0.16, 0.12},  // the wedge
+          {0.2, 0.19},  {0.2, 0.5},   {0.29, 0.5},   // out to the first lobe
+          {0.37, 0.5},  {0.31, 0.26}, {0.37, 0.26},  // back into a sinus
+          {0.43, 0.26}, {0.4, 0.78},  {0.51, 0.78},  //
+          {0.62, 0.78}, {0.52, 0.32}, {0.59, 0.32},  //
+          {0.66, 0.32}, {0.61, 1},    {0.72, 1},     // the broadest
+          {0.83, 1},    {0.73, 0.38}, {0.79, 0.38},  //
+          {0.84, 0.38}, {0.83, 0.54}, {0.9, 0.54},   // the lobe at the tip
+          {0.96, 0.54}, {1, 0.3},     {1, 0}};
+}
+
+/// One half of a blade, from the foot, which is not written, to the tip.
+Curves half_of(const LeafForm& form) {
+  if (form.margin == Margin::lobed) return lobed_curves();
+  Curves half = base_curves(form.base);
+  const Curves apex = apex_curves(form.apex);
+  half.insert(half.end(), apex.begin(), apex.end());
+  return half;
+}
+
 }  // namespace
 
 Apex parse_apex(const std::string& name) {
@@ -84,11 +109,14 @@ Base parse_base(const std::string& name) {
   return named_form<Base>(base_names, "base", name);
 }
 
+Margin parse_margin(const std::string& name) {
+  return named_form<Margin>(margin_names, "margin", name);
+}
+
 void add_leaf(Patches& patches, const LeafForm& form, const Color& color, PagePoint foot, PagePoint blade) {
   const PagePoint side = to_the_left(blade) * (form.width / 2);
-  Curves half{{0, 0}};
-  for (const Curves& part : {base_curves(form.base), apex_curves(form.apex)})
-    half.insert(half.end(), part.begin(), part.end());
+  Curves half = half_of(form);
+  half.insert(half.begin(), {0, 0});
   const auto on_page = [&](PagePoint p, double sign) { return foot + blade * p.x + side * (sign * p.y); };
   patches.begin(color, foot);
   for (std::size_t i = 1; i + 2 < half.size(); i += 3)

@@ -28,14 +28,22 @@ struct LeafForm {
     truncate,
   };
 
+  enum class Margin : std::uint8_t {
+    entire,  ///< from the base to the apex without a break
+    lobed,   ///< a simple oak leaf (E22): three round lobes on either side and one at the tip; it has neither
+             ///< base nor apex of its own choice
+  };
+
   Apex apex = Apex::acute;
   Base base = Base::rounded;
   double width = 0.5;  ///< of the blade, its length being 1
+  Margin margin = Margin::entire;
 };
 
 /// Throw Error for another name, nearest names given.
 LeafForm::Apex parse_apex(const std::string& name);
 LeafForm::Base parse_base(const std::string& name);
+LeafForm::Margin parse_margin(const std::string& name);
 
 /// A leaf as one patch: from its foot along a vector that is as long as the blade.
 void add_leaf(Patches& patches, const LeafForm& form, const Color& color, PagePoint foot, PagePoint blade);

@@ -39,12 +39,18 @@ auto read_word(const TomlValue& value, Parse parse) {
 }
 
 LeafLook read_leaves(const TomlValue& value) {
-  constexpr std::array<std::string_view, 6> keys{"apex", "base", "width", "length", "color", "autumn"};
+  constexpr std::array<std::string_view, 7> keys{"margin", "apex",  "base",  "width",
+                                                 "length", "color", "autumn"};
   const TomlTable table(value.file(), value.table(leaves_wanted));
   table.require_known("leaves", keys);
   LeafLook look;
-  if (const auto apex = table.find("apex")) look.form.apex = read_word(*apex, parse_apex);
-  if (const auto base = table.find("base")) look.form.base = read_word(*base, parse_base);
+  const auto margin = table.find("margin"), apex = table.find("apex"), base = table.find("base");
+  if (margin) look.form.margin = read_word(*margin, parse_margin);
+  if (look.form.margin == LeafForm::Margin::lobed && (apex || base))
+    margin->fail("a lobed leaf with an apex or a base", "its outline is one from foot to tip",
+                 "leave them out");
+  if (apex) look.form.apex = read_word(*apex, parse_apex);
+  if (base) look.form.base = read_word(*base, parse_base);
   if (const auto width = table.find("width")) look.form.width = read_part(*width, 0.01, 3);
   if (const auto length = table.find("length")) look.length = read_part(*length, 0.0001, 0.3);
   if (const auto color = table.find("color")) look.color = read_color(*color);
