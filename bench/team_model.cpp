@@ -22,7 +22,7 @@ namespace {
 
 // What team_bench measures (docs/cluster.md).
 constexpr double service = 250e-6;  // seconds of rank 0 for an outcome: message, decoding, store, answer
-constexpr double latency = 10e-6;  // of a message
+constexpr double latency = 10e-6;   // of a message
 
 constexpr Size large_tree = 10'000'000;
 

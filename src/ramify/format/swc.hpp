@@ -13,11 +13,12 @@ namespace ramify {
 /// anywhere. The same as a table with a header, by its columns (point_columns).
 ///
 /// Every point is a node; its length is the distance from its parent point, its radius the point's own, none
-/// where that is -1; its place is the point's. A root has no length. All soma points (type 1) that hang together are one node, the
-/// root, whatever contour or sphere they describe and wherever they stand in the file: where another point
-/// has no parent, the edges from there to the soma turn round. `neurites` as root takes every subtree that
-/// leaves a soma as a tree of its own. Other types only name such trees: "file#5:axon". What is not read,
-/// soma points that lie more than two radii from the first, and a tree of soma points alone are remarked.
+/// where that is -1; its place is the point's. A root has no length. All soma points (type 1) that hang
+/// together are one node, the root, whatever contour or sphere they describe and wherever they stand in the
+/// file: where another point has no parent, the edges from there to the soma turn round. `neurites` as root
+/// takes every subtree that leaves a soma as a tree of its own. Other types only name such trees:
+/// "file#5:axon". What is not read, soma points that lie more than two radii from the first, and a tree of
+/// soma points alone are remarked.
 ///
 /// Throws Error with line and column for a short line, an id, coordinate or radius that is no number, an id
 /// twice, a missing parent, a cycle, several roots where one is needed. O(points) time.
