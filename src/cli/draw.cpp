@@ -244,6 +244,24 @@ ExitCode draw(const DrawArguments& options, const Cancellation& cancellation) {
   return ExitCode::done;
 }
 
+/// How it is drawn.
+void add_look(Verb& verb, DrawArguments& options) {
+  verb.option(
+      "--style", options.style,
+      "dendrogram (root at the left, right angles; the usual one) or upright (root at the bottom); or "
+      "a form in space: lines, bars or branches");
+  verb.option("--view", options.view, "of a form: front, right, back, left, top, bottom or oblique");
+  verb.option("--up", options.up, "of a file of points: the coordinate that points up, y (if left out) or z");
+  verb.flag("--sheet", options.sheet, "of a form: four views in one drawing");
+  verb.option("--color-by", options.color_by, "of a form: order or bark");
+  verb.option("--side", options.side, "of the picture of a form, in pixels", Need::defaulted);
+  verb.option("--leaf-order", options.leaf_order, "order of the tips in the key: 0 or 1", Need::defaulted);
+  verb.option("--label", options.label,
+              "of a diagram: at every node its order, depth, leaves, balance or alternate_balance");
+  verb.flag("--same-lengths", options.same_lengths,
+            "every branch as long as another, whatever the file says");
+}
+
 }  // namespace
 
 void add_draw(Program& program) {
@@ -268,21 +286,7 @@ void add_draw(Program& program) {
   verb.option("--table", options->table,
               "of a preset, measures of its form instead of a drawing: summary or orders");
   verb.option("--configs", options->configs, "the folder that holds draw/, the presets");
-  verb.option(
-      "--style", options->style,
-      "dendrogram (root at the left, right angles; the usual one) or upright (root at the bottom); or "
-      "a form in space: lines, bars or branches");
-  verb.option("--view", options->view, "of a form: front, right, back, left, top, bottom or oblique");
-  verb.option("--up", options->up,
-              "of a file of points: the coordinate that points up, y (if left out) or z");
-  verb.flag("--sheet", options->sheet, "of a form: four views in one drawing");
-  verb.option("--color-by", options->color_by, "of a form: order or bark");
-  verb.option("--side", options->side, "of the picture of a form, in pixels", Need::defaulted);
-  verb.option("--leaf-order", options->leaf_order, "order of the tips in the key: 0 or 1", Need::defaulted);
-  verb.option("--label", options->label,
-              "of a diagram: at every node its order, depth, leaves, balance or alternate_balance");
-  verb.flag("--same-lengths", options->same_lengths,
-            "every branch as long as another, whatever the file says");
+  add_look(verb, *options);
   verb.option("-o,--output", options->output,
               "the drawing, FILE.svg, FILE.pdf, FILE.ps or FILE.png, written in one step");
   verb.example("Example: ramify draw --model bst --n 200 -o bst.svg");

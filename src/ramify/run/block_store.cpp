@@ -7,12 +7,9 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <sqlite3.h>
 
 #include "ramify/core/error.hpp"
-#include "ramify/core/version.hpp"
-#include "ramify/sample/graft_rule.hpp"
 
 namespace ramify {
 namespace {
@@ -69,18 +66,6 @@ Error refused(const fs::path& file, const SQLite::Exception& reason) {
 
 std::string to_string(const KeptWork& kept) {
   return fmt::format("{} and {}", counted_work(kept.cells, "cell"), counted_work(kept.blocks, "block"));
-}
-
-std::vector<std::string> described(const Plan& plan) {
-  std::vector<std::string> names;
-  for (const auto* info : plan.statistics.chosen()) names.emplace_back(info->name);
-  std::vector<std::string> lines{fmt::format("ramify {}, tables {}", version, table_schema),
-                                 fmt::format("seed {}", plan.seed),
-                                 fmt::format("statistics {}", fmt::join(names, ", "))};
-  for (const Cell& cell : plan.cells)
-    lines.push_back(fmt::format("{} at n = {}: {} trees, {}", cell.model.text(), cell.n, cell.replicates,
-                                GraftRule(cell.model, plan.method).describe(cell.n)));
-  return lines;
 }
 
 /// The open file.

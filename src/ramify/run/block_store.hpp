@@ -72,7 +72,4 @@ class BlockStore {
   std::unique_ptr<Database> database_;
 };
 
-/// All that a stored block depends on, a line each: version, seed, statistics, and every cell.
-std::vector<std::string> described(const Plan& plan);
-
 }  // namespace ramify

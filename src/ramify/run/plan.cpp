@@ -2,6 +2,10 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "ramify/core/version.hpp"
 #include "ramify/sample/graft_rule.hpp"
 #include "ramify/sample/open_levels.hpp"
 
@@ -12,6 +16,22 @@ Plan make_plan(const RunConfig& config) {
     for (const auto& model : group.models)
       for (const Size n : group.sizes) plan.cells.push_back({model, n, group.replicates.count(n)});
   return plan;
+}
+
+std::vector<std::string> described(const Plan& plan) {
+  std::vector<std::string> names;
+  for (const auto* info : plan.statistics.chosen()) names.emplace_back(info->name);
+  std::vector<std::string> lines{fmt::format("ramify {}, tables {}", version, table_schema),
+                                 fmt::format("seed {}", plan.seed),
+                                 fmt::format("statistics {}", fmt::join(names, ", "))};
+  for (const Cell& cell : plan.cells)
+    lines.push_back(fmt::format("{} at n = {}: {} trees, {}", cell.model.text(), cell.n, cell.replicates,
+                                GraftRule(cell.model, plan.method).describe(cell.n)));
+  return lines;
+}
+
+std::string identity_of(const Plan& plan) {
+  return fmt::format("{}\n", fmt::join(described(plan), "\n"));
 }
 
 std::vector<GrowingJob> jobs_of(const Plan& plan) {

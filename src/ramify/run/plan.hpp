@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "ramify/config/run_config.hpp"
@@ -28,6 +29,12 @@ struct Plan {
 };
 
 Plan make_plan(const RunConfig& config);
+
+/// All that a grown block depends on, a line each: version, seed, statistics, and every cell.
+std::vector<std::string> described(const Plan& plan);
+
+/// The same as one text: processes that differ in it do not work together.
+std::string identity_of(const Plan& plan);
 
 /// The growing of every cell, in their order.
 std::vector<GrowingJob> jobs_of(const Plan& plan);

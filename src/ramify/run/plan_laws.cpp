@@ -82,8 +82,7 @@ PlanLaws ask_laws(const Plan& plan, const PlanQuestions& questions, const Workfo
   const std::vector<Enquiry> all = enquiries(plan, questions, laws);
   const auto numbers = [&](std::size_t item) { return numbers_of(all[item], cancellation); };
   SharedWork work;
-  work.identity = "laws\n";
-  for (const std::string& line : described(plan)) work.identity += line + '\n';
+  work.identity = "laws of " + identity_of(plan);
   for (std::size_t item = 0; item < all.size(); ++item) work.items.push_back(item);
   work.keep = [&](std::size_t item, unsigned) { keep(numbers(item), all[item]); };
   work.send = [&](std::size_t item, unsigned) { return json::to_cbor(numbers(item)); };

@@ -19,7 +19,7 @@ GrownBlock handed_over(const Bytes& bytes, const Plan& plan) {
 /// The blocks of a plan as work of a team; the process that leads says what it keeps them in.
 SharedBlockWork shared_growing(const Plan& plan) {
   SharedBlockWork work;
-  for (const std::string& line : described(plan)) work.identity += line + '\n';
+  work.identity = identity_of(plan);
   work.send = [&plan](const Block& block, const BlockTrees& trees) {
     return encode(grown_block(plan, block, trees));
   };
