@@ -12,8 +12,7 @@ namespace ramify {
 /// Limbs that go as random walks instead of straight (lightning, E26).
 struct LimbWalk {
   std::size_t steps;  ///< of every limb
-  double
-      deviation;  ///< standard deviation of a free walk's end in each direction, as part of the limb's length
+  double deviation;   ///< of a free walk's end in each coordinate, as part of the limb's length
 };
 
 /// The places between the steps, of every limb in turn: those of a random walk that ends where the limb does.
