@@ -87,7 +87,7 @@ std::vector<Size> sizes_between(Size smallest, Size largest) {
   return geometric_grid(from, largest, static_cast<std::size_t>(std::ceil(steps * decades)) + 1);
 }
 
-bool is_drawn(const StatisticColumn& column) {
+bool has_curve(const StatisticColumn& column) {
   return column.statistic->shape == Columns::one ||
          (column.statistic->shape == Columns::orders && column.place.high <= highest_drawn_order);
 }
@@ -107,7 +107,7 @@ Drawn drawn(const Plan& plan, const std::vector<std::size_t>& cells) {
       std::ranges::minmax(cells, {}, [&plan](std::size_t c) { return plan.cells[c].n; });
   if (plan.cells[smallest].n == plan.cells[largest].n) return {};
   Drawn drawn{{}, sizes_between(plan.cells[smallest].n, plan.cells[largest].n)};
-  std::ranges::copy_if(columns_of(plan, plan.cells[largest]), std::back_inserter(drawn.columns), is_drawn);
+  std::ranges::copy_if(columns_of(plan, plan.cells[largest]), std::back_inserter(drawn.columns), has_curve);
   return drawn;
 }
 
