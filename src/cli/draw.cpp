@@ -153,6 +153,7 @@ Drawing form_drawing(const DrawArguments& options, const RecordedTree& tree, con
   TreeLook look;
   look.style = parse_tree_style(options.style);
   look.by_order = options.color_by.empty() || parse_color_by(options.color_by);
+  look.tips_are_branches = grown == nullptr;
   const Shape shape = usual_shape(options, tree, grown, cancellation);
   const std::vector<std::string> views =
       options.sheet ? sheet_views() : std::vector{options.view.empty() ? "front" : options.view};

@@ -64,6 +64,22 @@ TEST(Draw, PointsStandWhereTheyWereMeasured) {
   }
 }
 
+// A node is a line: of measured trees the tips too, of grown ones internal nodes alone.
+TEST(Draw, TipsOfMeasuredTreesAreBranches) {
+  const Scratch scratch;
+  const auto lines = [&](const std::string& tree) {
+    const std::string file = (scratch / "a.svg").string();
+    EXPECT_EQ(ramify("draw " + tree + " --style lines -o " + file).code, 0);
+    const std::string svg = read_file(file);
+    std::size_t count = 0;
+    for (std::size_t at = svg.find(" L "); at != std::string::npos; at = svg.find(" L ", at + 1)) ++count;
+    return count;
+  };
+  EXPECT_EQ(lines("--tree data/examples/sapling.newick"), 15u);  // 8 tips
+  EXPECT_EQ(lines("--tree data/examples/sapling.swc"), 31u);     // points
+  EXPECT_EQ(lines("--model bst --n 100"), 100u);
+}
+
 TEST(Draw, EveryFormatIsWhatItsNameSays) {
   const Scratch scratch;
   const std::string tree = "draw --preset ginkgo -o ";

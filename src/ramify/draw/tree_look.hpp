@@ -34,8 +34,9 @@ struct TreeLook {
   double shade = 0.35;    ///< how much paler the farthest branch is than the nearest
   // NOLINTNEXTLINE(readability-redundant-member-init): -Wextra wants it where an aggregate leaves it out
   std::optional<LeafLook> leaves = {};
-  bool fills_notches =
-      false;  ///< of bars: between the end of a branch and the beginnings of its children (G2)
+  bool fills_notches = false;  ///< of bars: between a branch's end and where its children begin (G2)
+  /// Of a measured tree: external nodes are wood; else they are leaves, or nothing.
+  bool tips_are_branches = false;
   bool has_blossoms = false;  ///< in place of the leaves of a node that bears two (G8)
   bool has_fruit = false;     ///< the same
   bool has_needles = false;   ///< along every branch (G9)

@@ -50,8 +50,9 @@ struct Span {
 /// The children of every node that are drawn as branches, in one list.
 class BranchChildren {
  public:
-  explicit BranchChildren(const Tree& tree) : first_(tree.node_count() + 1, 0) {
-    const auto is_branch = [&](std::size_t node) { return tree.arity(node) > 0; };
+  /// @param is_branch  is_branch(node)
+  template <class IsBranch>
+  BranchChildren(const Tree& tree, IsBranch is_branch) : first_(tree.node_count() + 1, 0) {
     each_edge(tree, [&](std::size_t parent, std::size_t child) { first_[parent + 1] += is_branch(child); });
     for (std::size_t node = 1; node < first_.size(); ++node) first_[node] += first_[node - 1];
     children_.resize(first_.back());
@@ -79,7 +80,7 @@ class Picture {
         orders_(look.by_order ? strahler_orders(tree) : std::vector<std::uint8_t>()),
         depths_(look.leaves && look.leaves->is_autumn ? depths(tree) : std::vector<std::uint32_t>()),
         pens_(orders_.empty() ? 0 : orders_[0], 1),
-        children_(tree),
+        children_(tree, [this](std::size_t node) { return is_branch(node); }),
         end_radii_(end_radii()) {
     double top = 0;
     for (const Limb& limb : shape.limbs) top = std::max(top, limb.end[1]);
@@ -95,10 +96,10 @@ class Picture {
     std::size_t done = 0;
     for (const Item& item : in_painters_order()) {
       if (done++ % often == 0 && cancellation.requested()) throw Interrupted();
-      if (tree_.arity(item.node) == 0)
-        add_leaf_of(item.node);
-      else
+      if (is_branch(item.node))
         add_branch(item.node);
+      else
+        add_leaf_of(item.node);
     }
     if (look_.has_needles) add_needles();
   }
@@ -109,9 +110,9 @@ class Picture {
     std::uint32_t node;
   };
 
-  bool is_branch(std::size_t node) const { return tree_.arity(node) > 0; }
+  bool is_branch(std::size_t node) const { return look_.tips_are_branches || tree_.arity(node) > 0; }
 
-  /// Radii at the ends: that of the widest child where branches taper.
+  /// Radii at the ends: that of the widest child where branches taper, of a tip its own.
   std::vector<float> end_radii() const {
     std::vector<float> radii(tree_.node_count(), 0);
     each_edge(tree_, [&](std::size_t parent, std::size_t child) {
@@ -119,7 +120,7 @@ class Picture {
     });
     for (std::size_t node = 0; node < radii.size(); ++node) {
       const auto own = static_cast<float>(shape_.limbs[node].radius);
-      radii[node] = look_.tapers ? std::min(radii[node], own) : own;
+      radii[node] = look_.tapers && tree_.arity(node) > 0 ? std::min(radii[node], own) : own;
     }
     return radii;
   }
