@@ -59,11 +59,11 @@ PageSection repeat_section(const ClaimOnPage& of, const std::string& command) {
 }
 
 /// Leads to the trees of its models.
-PageTable tree_table(const std::vector<SampleTree>& trees) {
+PageTable tree_table(const std::vector<const SampleTree*>& trees) {
   PageTable on_page{"Trees of its models", Table({"model", "n", "seed"})};
-  for (const SampleTree& tree : trees) {
-    on_page.table.add(Row().texts({tree.model.text()}).whole(tree.n).whole(tree.seed));
-    on_page.links.push_back(tree.anchor());
+  for (const SampleTree* tree : trees) {
+    on_page.table.add(Row().texts({tree->model.text()}).whole(tree->n).whole(tree->seed));
+    on_page.links.push_back(tree->anchor());
   }
   return on_page;
 }

@@ -17,7 +17,7 @@ struct ClaimOnPage {
   const Claim& claim;
   std::vector<Verdict> verdicts;
   std::vector<FiledPlot> plots;
-  std::vector<SampleTree> trees;  ///< of its models
+  std::vector<const SampleTree*> trees;  ///< of its models
 };
 
 /// A claim on the page of the ledger: statement and source, pictures, links to trees of its models, its

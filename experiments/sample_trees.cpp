@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <iterator>
 
 #include <fmt/format.h>
 
@@ -60,10 +59,10 @@ std::vector<SampleTree> sample_trees(const std::vector<const Claim*>& claims, st
   return trees;
 }
 
-std::vector<SampleTree> trees_of(const Claim& claim, const std::vector<SampleTree>& trees) {
-  std::vector<SampleTree> own;
-  std::ranges::copy_if(trees, std::back_inserter(own),
-                       [&](const SampleTree& tree) { return takes_trees_of(claim, tree.model); });
+std::vector<const SampleTree*> trees_of(const Claim& claim, const std::vector<SampleTree>& trees) {
+  std::vector<const SampleTree*> own;
+  for (const SampleTree& tree : trees)
+    if (takes_trees_of(claim, tree.model)) own.push_back(&tree);
   return own;
 }
 

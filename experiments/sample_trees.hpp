@@ -26,7 +26,7 @@ struct SampleTree {
 std::vector<SampleTree> sample_trees(const std::vector<const Claim*>& claims, std::uint64_t seed,
                                      const Cancellation& cancellation);
 
-/// Those of one claim.
-std::vector<SampleTree> trees_of(const Claim& claim, const std::vector<SampleTree>& trees);
+/// Those of one claim. They live as long as the trees.
+std::vector<const SampleTree*> trees_of(const Claim& claim, const std::vector<SampleTree>& trees);
 
 }  // namespace ramify

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "ramify/config/run_config.hpp"
 #include "ramify/gallery/look_reader.hpp"
 
 namespace ramify::detail {
@@ -22,8 +23,6 @@ constexpr Expected size_wanted{"a whole number", "n = 500"};
 constexpr Expected number_wanted{"a whole number", "seed = 1996"};
 constexpr Expected walk_wanted{"a table", "walk = { steps = 12, deviation = 0.1 }"};
 constexpr Expected panels_wanted{"a list of tables", "[[panel]] before the keys of each"};
-
-constexpr std::uint64_t usual_seed = 1996;
 
 /// An @ in a model's text is the folder of the preset: a matrix lies beside it.
 Model read_model(const TomlValue& value) {
@@ -53,7 +52,7 @@ PicturePanel read_panel(std::string_view file, const FindKey& find) {
   PicturePanel panel{{},
                      read_model(model),
                      n.whole(0, INT64_MAX, size_wanted),
-                     usual_seed,
+                     default_seed,
                      0,
                      read_rules(file, find),
                      read_look(find)};

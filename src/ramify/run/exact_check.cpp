@@ -92,10 +92,6 @@ bool has_curve(const StatisticColumn& column) {
          (column.statistic->shape == Columns::orders && column.place.high <= highest_drawn_order);
 }
 
-std::vector<StatisticColumn> columns_of(const Plan& plan, const Cell& cell) {
-  return plan.statistics.columns(cell.model.largest_order(cell.n));
-}
-
 /// What is drawn of a model: columns of its largest cell, at many sizes; nothing where all cells have one.
 struct Drawn {
   std::vector<StatisticColumn> columns;

@@ -12,17 +12,19 @@ using nlohmann::json;
 bool fits(const GrownBlock& grown, const Plan& plan) {
   const auto& [block, sums] = grown;
   if (block.job >= plan.cells.size()) return false;
-  const Cell& cell = plan.cells[block.job];
-  if (block.first >= block.last || block.last > cell.replicates) return false;
-  const CellAccumulator empty(plan.statistics, cell.model.largest_order(cell.n));
+  if (block.first >= block.last || block.last > plan.cells[block.job].replicates) return false;
+  const CellAccumulator empty = no_trees(plan, block.job);
   return sums.wholes.size() == empty.sums().wholes.size() && sums.reals.size() == empty.sums().reals.size();
 }
 
 }  // namespace
 
+CellAccumulator no_trees(const Plan& plan, std::size_t cell) {
+  return {plan.statistics, plan.cells[cell].model.largest_order(plan.cells[cell].n)};
+}
+
 GrownBlock grown_block(const Plan& plan, const Block& block, const BlockTrees& trees) {
-  const Cell& cell = plan.cells[block.job];
-  CellAccumulator sums(plan.statistics, cell.model.largest_order(cell.n));
+  CellAccumulator sums = no_trees(plan, block.job);
   trees.each([&](std::uint64_t, const TreeMeasures& measures) { sums.add(measures); });
   return {block, sums.sums()};
 }

@@ -16,6 +16,9 @@ struct GrownBlock {
   CellSums sums;
 };
 
+/// Of a cell of the plan, before its first tree.
+CellAccumulator no_trees(const Plan& plan, std::size_t cell);
+
 /// Grows the trees of a block of the plan's cells. Throws Interrupted.
 GrownBlock grown_block(const Plan& plan, const Block& block, const BlockTrees& trees);
 

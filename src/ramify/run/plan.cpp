@@ -18,6 +18,10 @@ Plan make_plan(const RunConfig& config) {
   return plan;
 }
 
+std::vector<StatisticColumn> columns_of(const Plan& plan, const Cell& cell) {
+  return plan.statistics.columns(cell.model.largest_order(cell.n));
+}
+
 std::vector<std::string> described(const Plan& plan) {
   std::vector<std::string> names;
   for (const auto* info : plan.statistics.chosen()) names.emplace_back(info->name);
@@ -57,8 +61,7 @@ WorkEstimate estimate_work(const Plan& plan, unsigned threads) {
     work.nodes += nodes;
     work.minutes +=
         nodes * (rule.size(cell.n) > 0 ? nanoseconds_grafted : nanoseconds_a_node) / 1e9 / 60 / threads;
-    const double columns =
-        static_cast<double>(plan.statistics.columns(cell.model.largest_order(cell.n)).size());
+    const double columns = static_cast<double>(columns_of(plan, cell).size());
     const double bytes =
         growing_bytes(cell.model, cell.n, plan.method.pass) * std::min<double>(threads, trees) + table_bytes +
         trees * columns * value_bytes;

@@ -30,6 +30,9 @@ struct Plan {
 
 Plan make_plan(const RunConfig& config);
 
+/// The columns of a cell: all that its trees can have.
+std::vector<StatisticColumn> columns_of(const Plan& plan, const Cell& cell);
+
 /// All that a grown block depends on, a line each: version, seed, statistics, and every cell.
 std::vector<std::string> described(const Plan& plan);
 

@@ -63,7 +63,7 @@ class Assembly {
     if (const auto sums = store_.cell(c)) {
       for (const Block& block : blocks) jobs_[c].grown.insert(block.index);
       nodes_done_ += static_cast<double>(jobs_[c].last) * grown_nodes_[c];
-      CellAccumulator total = empty(c);
+      CellAccumulator total = no_trees(plan_, c);
       total.merge(*sums);
       report(c, total);
       return;
@@ -86,15 +86,11 @@ class Assembly {
   }
 
   void finish(std::size_t c) {
-    CellAccumulator total = empty(c);
+    CellAccumulator total = no_trees(plan_, c);
     for (const auto& sums : cells_[c].blocks) total.merge(*sums);
     cells_[c].blocks.clear();
     store_.complete(c, total.sums());
     report(c, total);
-  }
-
-  CellAccumulator empty(std::size_t c) const {
-    return {plan_.statistics, plan_.cells[c].model.largest_order(plan_.cells[c].n)};
   }
 
   void report(std::size_t c, const CellAccumulator& total) const {
