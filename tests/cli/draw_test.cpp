@@ -163,6 +163,9 @@ TEST(Draw, TheGalleryIsWholeAndThatOfTheDocumentation) {
 
 struct Refusal {
   std::string arguments, message;
+  friend std::ostream& operator<<(std::ostream& out, const Refusal& refusal) {
+    return out << refusal.arguments;
+  }
 };
 
 class Refused : public testing::TestWithParam<Refusal> {};

@@ -99,6 +99,9 @@ TEST(PicturePreset, PanelsInheritWhatTheyDoNotSay) {
 
 struct Refusal {
   std::string line, instead, message;
+  friend std::ostream& operator<<(std::ostream& out, const Refusal& refusal) {
+    return out << testing::PrintToString(refusal.instead);
+  }
 };
 
 class WrongPreset : public testing::TestWithParam<Refusal> {};
