@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "support/scratch.hpp"
+
 namespace ramify::test {
 
 /// What a command printed, and its exit code.
@@ -18,24 +20,6 @@ struct Ran {
 
 /// What Open MPI's mpirun wants to hear before it runs as root, as CI does.
 inline const std::string mpi_as_root = "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 ";
-
-/// A folder of one test's own, removed at the end.
-class Scratch {
- public:
-  Scratch();
-  ~Scratch() { std::filesystem::remove_all(path_); }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-
-  const std::filesystem::path& path() const { return path_; }
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-
-  /// Writes a file into it and returns its path.
-  std::string file(const std::string& name, const std::string& content) const;
-
- private:
-  std::filesystem::path path_;
-};
 
 /// Runs "ramify <arguments>" through the shell, with the project as working folder.
 Ran ramify(const std::string& arguments);

@@ -1,10 +1,10 @@
 // Trees of a ramification matrix: every small tree as often as the matrix says.
-#include <fstream>
 #include <string>
 #include <vector>
 
 #include "support/goodness.hpp"
 #include "support/sanitized.hpp"
+#include "support/scratch.hpp"
 #include "support/word_law.hpp"
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -46,18 +46,13 @@ WordLaw small_trees(const Matrix& matrix, std::size_t order, std::size_t most) {
 
 constexpr std::size_t largest = test::sanitized ? 5 : 7;  // nodes of the trees that are told apart
 
-std::string with_file(const std::string& name, const std::string& text) {
-  const auto path = testing::TempDir() + name;
-  std::ofstream(path) << text;
-  return path;
-}
-
 const char* const first_rows = "order,side,probability\n2,1,0.4\n2,2,0.6\n3,1,0.2\n3,2,0.3\n3,3,0.5\n";
 const char* const second_rows = "order,side,probability\n2,1,0.1\n2,2,0.9\n3,1,0.6\n3,2,0.1\n3,3,0.3\n";
 
 TEST(Ramification, HasTheLawOfItsMatrix) {
   const Matrix matrix{{0.4, 0.6}, {0.2, 0.3, 0.5}}, wrong{{0.4, 0.6}, {0.3, 0.2, 0.5}};
-  const auto model = fmt::format("ramification({})", with_file("first.csv", first_rows));
+  const test::Scratch scratch;
+  const auto model = fmt::format("ramification({})", scratch.file("first.csv", first_rows));
   for (const Size order : {Size{0}, Size{1}, Size{2}})
     EXPECT_TRUE(test::agrees(words_against(model, order, small_trees(matrix, order, largest), "")));
   EXPECT_TRUE(test::rejected(words_against(model, 2, small_trees(wrong, 2, largest), ": sides swapped")));
@@ -74,8 +69,9 @@ TEST(Tokunaga, HasTheLawOfItsNumbers) {
 
 TEST(Hybrid, TakesEachRowFromTheMatrixNamed) {
   const Matrix ab{{0.4, 0.6}, {0.6, 0.1, 0.3}}, aa{{0.4, 0.6}, {0.2, 0.3, 0.5}};
-  const auto model = fmt::format("hybrid({}, {}, AB)", with_file("first.csv", first_rows),
-                                 with_file("second.csv", second_rows));
+  const test::Scratch scratch;
+  const auto model = fmt::format("hybrid({}, {}, AB)", scratch.file("first.csv", first_rows),
+                                 scratch.file("second.csv", second_rows));
   EXPECT_TRUE(test::agrees(words_against(model, 2, small_trees(ab, 2, largest), "")));
   EXPECT_TRUE(
       test::rejected(words_against(model, 2, small_trees(aa, 2, largest), ": all rows of the first")));
@@ -88,7 +84,8 @@ TEST(Markov, KeepsTransitionsDownwards) {
       "4,4,1\n";
   const Matrix matrix{{0.4, 0.6}, {1 / 6.0, 2 / 6.0, 3 / 6.0}};
   const Matrix wrong{{0.2, 0.8}, {0.1, 0.2, 0.7}};
-  const auto model = fmt::format("markov({})", with_file("chain.csv", chain));
+  const test::Scratch scratch;
+  const auto model = fmt::format("markov({})", scratch.file("chain.csv", chain));
   EXPECT_TRUE(test::agrees(words_against(model, 2, small_trees(matrix, 2, largest), "")));
   EXPECT_TRUE(test::rejected(
       words_against(model, 2, small_trees(wrong, 2, largest), ": what leads up is added to the diagonal")));

@@ -1,21 +1,12 @@
 #include "support/split_table_file.hpp"
 
-#include <atomic>
-#include <fstream>
 #include <variant>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "ramify/core/number.hpp"
 
 namespace ramify::test {
-
-SplitTableFile::SplitTableFile(const std::string& text) {
-  static std::atomic<int> files{0};
-  path_ = std::filesystem::temp_directory_path() / fmt::format("ramify law ({}, {}).csv", getpid(), files++);
-  std::ofstream(path_, std::ios::binary) << text;
-}
 
 std::string split_table_of(const Model& model, Size largest) {
   std::string text = "n,left,probability\n";

@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <string>
 
+#include "support/scratch.hpp"
+
 #include "ramify/model/registry.hpp"
 
 namespace ramify::test {
@@ -10,15 +12,13 @@ namespace ramify::test {
 /// A table of split laws on disk, removed at the end.
 class SplitTableFile {
  public:
-  explicit SplitTableFile(const std::string& text);
-  ~SplitTableFile() { std::filesystem::remove(path_); }
-  SplitTableFile(const SplitTableFile&) = delete;
-  SplitTableFile& operator=(const SplitTableFile&) = delete;
+  explicit SplitTableFile(const std::string& text) : path_(scratch_.file("law (of splits, n).csv", text)) {}
 
   const std::filesystem::path& path() const { return path_; }
   Model model() const { return Model::parse("file(" + path_.string() + ")"); }
 
  private:
+  Scratch scratch_;
   std::filesystem::path path_;
 };
 

@@ -1,7 +1,7 @@
 // A block travels: encoded, decoded and merged in its place it gives the cell of an undivided run.
-#include <filesystem>
 #include <string>
 
+#include "support/scratch.hpp"
 #include <gtest/gtest.h>
 
 #include "ramify/io/csv_writer.hpp"
@@ -70,9 +70,8 @@ TEST(GrownBlock, BlocksThatTravelledGiveTheCellOfARun) {
     if (index == 0) run = tables_of(result);
   };
   const Cancellation never;
-  const auto file = std::filesystem::path(testing::TempDir()) / "ramify_grown_block.sqlite";
-  std::filesystem::remove(file);
-  BlockStore store(file, plan);
+  const test::Scratch scratch;
+  BlockStore store(scratch / "blocks.sqlite", plan);
   EXPECT_TRUE(run_cells(plan, store, 2, never, observer));
   EXPECT_GT(run.size(), 500u);
   EXPECT_EQ(tables_of(total.result(cell)), run);

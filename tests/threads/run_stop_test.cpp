@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "support/scratch.hpp"
 #include <gtest/gtest.h>
 
 #include "ramify/run/run.hpp"
@@ -14,13 +15,6 @@ namespace fs = std::filesystem;
 
 class StoppedRun : public testing::Test {
  protected:
-  void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::path(testing::TempDir()) / (std::string("ramify_stopped_run_") + test->name());
-    fs::remove_all(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   /// Runs the config on one thread, whose blocks come in order, and stops once so many nodes are grown.
   RunOutcome run(const char* name, KeptCells kept, double nodes) const {
     Cancellation stop;
@@ -38,7 +32,8 @@ class StoppedRun : public testing::Test {
       "stopped.toml");
   static constexpr double two_cells = 100 * 100 + 100 * 1000;
   static constexpr double never = 1e300;
-  fs::path folder_;
+  const test::Scratch scratch_;
+  const fs::path folder_ = scratch_.path();
 };
 
 TEST_F(StoppedRun, KeepsCompleteCellsAndPutsItsThingsAway) {

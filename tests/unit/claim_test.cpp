@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <set>
 
 #include "ledger.hpp"
@@ -14,6 +13,7 @@
 #include "served_configs.hpp"
 #include "support/columns.hpp"
 #include "support/error_of.hpp"
+#include "support/scratch.hpp"
 #include "verdicts.hpp"
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -242,18 +242,9 @@ std::vector<Verdict> some_verdicts() {
 }
 
 /// A committed table of them.
-class CommittedVerdicts {
- public:
-  CommittedVerdicts() { std::ofstream(file) << write_csv(verdict_table(some_verdicts())); }
-  ~CommittedVerdicts() { std::filesystem::remove(file); }
-  CommittedVerdicts(const CommittedVerdicts&) = delete;
-  CommittedVerdicts& operator=(const CommittedVerdicts&) = delete;
-  CommittedVerdicts(CommittedVerdicts&&) = delete;
-  CommittedVerdicts& operator=(CommittedVerdicts&&) = delete;
-
-  const std::filesystem::path file =
-      std::filesystem::temp_directory_path() /
-      fmt::format("ramify_verdicts_test_{}.csv", static_cast<const void*>(this));
+struct CommittedVerdicts {
+  const test::Scratch scratch;
+  const std::filesystem::path file = scratch.file("verdicts.csv", write_csv(verdict_table(some_verdicts())));
 };
 
 TEST(Verdicts, AChangeAgainstTheCommittedTableIsSeen) {

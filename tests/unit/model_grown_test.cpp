@@ -1,9 +1,8 @@
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <string>
 
 #include "support/error_of.hpp"
+#include "support/scratch.hpp"
 #include "support/uninterrupted.hpp"
 #include <gtest/gtest.h>
 
@@ -77,10 +76,10 @@ TEST(Tokunaga, OfOneAndTwoHasTheSizesOfCriticalTrees) {
 }
 
 TEST(Ramification, SaysWhichRowIsWrong) {
-  const auto read = [](const std::string& text) {
-    const auto path = std::filesystem::temp_directory_path() / "ramify_matrix_test.csv";
-    std::ofstream(path) << text;
-    return test::error_of([&] { Ramification(read_ramification_matrix(path), path.string()); });
+  const test::Scratch scratch;
+  const auto read = [&](const std::string& text) {
+    const std::string path = scratch.file("matrix.csv", text);
+    return test::error_of([&] { Ramification(read_ramification_matrix(path), path); });
   };
   EXPECT_NE(
       read("order,side,probability\n2,1,0.4\n2,2,0.5\n").find("row of order 1 (the probabilities sum to 0.9"),

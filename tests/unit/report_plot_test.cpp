@@ -5,8 +5,8 @@
 #include <string>
 
 #include "support/error_of.hpp"
+#include "support/scratch.hpp"
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "ramify/core/error.hpp"
 #include "ramify/report/picture_file.hpp"
@@ -20,17 +20,12 @@ namespace fs = std::filesystem;
 
 class PlotTest : public testing::Test {
  protected:
-  void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::temp_directory_path() /
-              ("ramify plot's " + std::string(test->name()) + std::to_string(::getpid()));
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
+  void SetUp() override { fs::create_directory(folder_); }
 
   PlotFiles draw(const Plot& plot, std::string_view stem) { return write_plot(plot, folder_, stem); }
 
-  fs::path folder_;
+  const test::Scratch scratch_;
+  const fs::path folder_ = scratch_ / "ramify plot's";
 };
 
 Plot sample_plot() {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "support/error_of.hpp"
+#include "support/scratch.hpp"
 #include "support/uninterrupted.hpp"
 #include <gtest/gtest.h>
 
@@ -27,15 +28,6 @@ Plan plan_of(const std::string& lines) {
 
 class Store : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = fs::path(testing::TempDir()) /
-              (std::string("ramify_store_") + testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-    file_ = folder_ / BlockStore::file_name;
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   static bool run(BlockStore& store, const Plan& plan, std::vector<CellResult>* cells = nullptr) {
     RunObserver observer;
     observer.cell_done = [&](std::size_t, const CellResult& cell) {
@@ -45,7 +37,8 @@ class Store : public testing::Test {
   }
 
   const Plan plan_ = plan_of("replicates = 3000\n");
-  fs::path folder_, file_;
+  const test::Scratch scratch_;
+  const fs::path file_ = scratch_ / BlockStore::file_name;
 };
 
 TEST_F(Store, KeepsEveryBlockAndThenTheSumOfACell) {
@@ -142,13 +135,13 @@ TEST_F(Store, IsForOneProgramAtATime) {
 }
 
 TEST_F(Store, WhereNothingCanBeWrittenSaysWhatToDo) {
-  const fs::path nowhere = folder_ / "none" / BlockStore::file_name;
+  const fs::path nowhere = scratch_ / "none" / BlockStore::file_name;
   EXPECT_NE(test::error_of([&] { BlockStore store(nowhere, plan_); }).find("cannot write"),
             std::string::npos);
 }
 
 TEST_F(Store, HasNothingOfAFileThatIsNone) {
-  EXPECT_TRUE(BlockStore::kept_in(folder_ / "nothing").none());
+  EXPECT_TRUE(BlockStore::kept_in(scratch_ / "nothing").none());
   std::ofstream(file_) << "text";
   EXPECT_TRUE(BlockStore::kept_in(file_).none());
 }
