@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "support/sanitized.hpp"
 #include <gtest/gtest.h>
 
 #include "ramify/large/large_orders.hpp"
@@ -38,6 +39,7 @@ TEST_P(StreamCountsOf, AreTheExactOnesToTwoHundredAndTheirErrorBeyond) {
 }
 
 TEST_P(StreamCountsOf, AreThoseOfLargeOrders) {
+  if (test::sanitized) GTEST_SKIP() << "AreTheExactOnesToTwoHundred runs the same code";
   const Model model = Model::parse(GetParam());
   const double n = 1e5;
   const StreamCounts counts = stream_counts(model, static_cast<Size>(n));
@@ -71,6 +73,7 @@ INSTANTIATE_TEST_SUITE_P(Models, StreamCountsOf,
 // A larger child nearer to its parent than some two steps of the grid makes interpolation unstable: errors
 // that nobody sees at 1e5 had destroyed the means at 4e8.
 TEST(StreamMeansOf, LopsidedSplitsStayRightAtHundredsOfMillions) {
+  if (test::sanitized) GTEST_SKIP() << "AreTheExactOnesToTwoHundred runs the same code";
   const Size n = 431'516'064;
   for (const char* text : {"patricia(0.02)", "patricia(0.06)", "patricia(0.0729)", "beta(10,300)"}) {
     const Model model = Model::parse(text);

@@ -57,6 +57,7 @@ double literal_minus_log_likelihood(const Model& model, const ObservedCounts& co
 }
 
 TEST(CountLikelihood, IsTheGaussianDensityTimesTheLawOfTheOrder) {
+  if (sanitized) GTEST_SKIP() << "HasTheSlopesOfItsDifferences runs the same code";
   CountFitter fitter(2, uninterrupted);
   for (const char* name : {"patricia", "aldous", "ford", "bst", "catalan"}) {
     const Family& family = find_family(name);
@@ -102,6 +103,7 @@ ObservedCounts mean_counts(const Model& model, Size n, std::size_t orders) {
 
 /// One odd order moves a fit by Huber's loss far less than the Gaussian one, and without one they agree.
 TEST(CountFit, OneOddOrderDoesNotDecideAloneWhereTheLossIsRobust) {
+  if (sanitized) GTEST_SKIP() << "OfHubersLossIsThatOfItsDensity runs the same code";
   const Family& family = find_family("patricia");
   const ObservedCounts clean = mean_counts(family.at(std::vector{0.23}), 2000, 6);
   ObservedCounts odd = clean;
@@ -125,6 +127,7 @@ TEST(CountFit, OneOddOrderDoesNotDecideAloneWhereTheLossIsRobust) {
 
 /// Along the interval, and across the seams of panels: the estimate of ford is beside one.
 TEST(CountLikelihood, IsReadBetweenLawsWhereTheIntervalIs) {
+  if (sanitized) GTEST_SKIP() << "HasTheSlopesOfItsDifferences runs the same code";
   const ObservedCounts apple{{279, 52, 7, 1}};
   CountFitter fitter(2, uninterrupted);
   for (const char* name : {"ford", "patricia"}) {
@@ -212,6 +215,7 @@ void expect_coverage(const char* name, double truth, Size n) {
 }
 
 TEST(CountFit, IntervalsCoverTheTruthNineteenTimesOfTwenty) {
+  if (sanitized) GTEST_SKIP() << "ABootstrapDependsOnTheSeedAlone runs the same code";
   expect_coverage("patricia", 0.23, 579);
   expect_coverage("dst", 0.1, 579);
   expect_coverage("aldous", -1, 2000);
@@ -235,6 +239,7 @@ TEST(CountFit, ABootstrapDependsOnTheSeedAloneAndSaysWhatTheCurvatureSays) {
 
 /// Of two shapes counts fix the limiting ratio, and it is that of the tree they came from.
 TEST(CountFit, TheRatioOfTwoShapesIsKnownBetterThanTheShapes) {
+  if (sanitized) GTEST_SKIP() << "a fit of two parameters takes twenty seconds";
   const Family& family = find_family("beta_multinomial");
   const auto counts = grown_counts(family, {2, 5}, 250, 1);
   const FamilyFit fit = CountFitter(2, uninterrupted).fit(family, counts[0]);
@@ -249,6 +254,7 @@ TEST(CountFit, TheRatioOfTwoShapesIsKnownBetterThanTheShapes) {
 /// Along the valley the likelihood is that of a law at every stop, R(a,b) changes less than the shapes do,
 /// and the ends of the intervals lie within it.
 TEST(CountFit, TheValleyListsThePairsThatFitNearlyAsWell) {
+  if (sanitized) GTEST_SKIP() << "a fit of two parameters takes twenty seconds";
   const Family& family = find_family("beta_multinomial");
   const ObservedCounts apple{{279, 52, 7, 1}};
   CountFitter fitter(2, uninterrupted);

@@ -142,6 +142,7 @@ TEST(SimulatedCounts, HaveTheLawOfThreeNodes) {
 }
 
 TEST(SimulatedCounts, TernaryIntervalsCoverTheTruth) {
+  if (sanitized) GTEST_SKIP() << "HaveTheLawOfThreeNodes runs the same code";
   Coverage p{0.2};
   CountFitter fitter(2, uninterrupted);
   for (const RecordedTree& tree : trees_of_family("ternary", {0.2}, 500, replicates(300))) {

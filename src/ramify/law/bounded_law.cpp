@@ -9,7 +9,7 @@
 namespace ramify {
 namespace {
 
-constexpr double negligible = 1e-40;
+constexpr double negligible_probability = 1e-40;
 constexpr double reported = 1e-30;
 
 }  // namespace
@@ -50,7 +50,7 @@ void BoundedLaw::append(const std::vector<double>& weights) {
   const auto probability = [&](std::ptrdiff_t k) {
     if (k < 0 || k > top_) return 0.0;
     const double p = weights[static_cast<std::size_t>(k)] / sum;
-    return p < negligible ? 0.0 : p;
+    return p < negligible_probability ? 0.0 : p;
   };
   double below = 0, from = 0;
   for (std::ptrdiff_t k = -1; k <= top_ + 1; ++k) {

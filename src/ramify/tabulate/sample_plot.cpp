@@ -93,8 +93,8 @@ Plot sample_plot(const TreeBatch& batch, const StatisticInfo& statistic, const T
   plot.series.push_back({"sampled", points_of(shares)});
   plot.series.back().mark = PlotSeries::Mark::bar;
   plot.series.back().bar_width = bars.width();
-  if (auto exact = exact_shares(batch, statistic, bars, shares); !exact.empty())
-    plot.series.push_back({"exact law", std::move(exact)});
+  if (auto law = exact_shares(batch, statistic, bars, shares); !law.empty())
+    plot.series.push_back({"exact law", std::move(law)});
   return plot;
 }
 
