@@ -50,10 +50,9 @@ constexpr std::array split_models{"bst",        "beta(0.3,3)", "beta_multinomial
 /// Throws Error where the registry has a split model that is not among them; one read from a file is none.
 void require_all_split_models() {
   for (const ModelInfo& info : models()) {
-    const bool is_known = !info.is_split || std::holds_alternative<FromFile>(info.make) ||
-                          std::ranges::any_of(split_models, [&](const char* text) {
-                            return Model::parse(text).name() == info.name;
-                          });
+    const bool is_known =
+        !info.is_split || std::holds_alternative<FromFile>(info.make) ||
+        std::ranges::any_of(split_models, [&](const char* text) { return Model::parse(text).is(info); });
     if (!is_known)
       throw Error(fmt::format("model {} is missing from claim C1", info.name), "it is of every split model",
                   "add one to experiments/c01_external_nodes.cpp");

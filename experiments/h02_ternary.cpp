@@ -22,6 +22,7 @@
 
 #include "ramify/core/contract.hpp"
 #include "ramify/model/preset.hpp"
+#include "ramify/model/ternary.hpp"
 #include "ramify/sample/tree_sampler.hpp"
 #include "ramify/statistic/order_ratios.hpp"
 #include "ramify/theory/bst_horton_ratio.hpp"
@@ -45,7 +46,7 @@ constexpr std::array ternary_species{
 
 /// The model, or the name of the preset where that is a long formula.
 std::string_view shown(const Preset& preset) {
-  return Model::parse(preset.model).name() == "ternary" ? preset.model : preset.name;
+  return Model::parse(preset.model).is(Ternary::info()) ? preset.model : preset.name;
 }
 
 Statement ratio_of_high_orders(std::size_t part, const TernarySpecies& species) {

@@ -12,6 +12,8 @@
 
 #include "ramify/core/contract.hpp"
 #include "ramify/model/formula.hpp"
+#include "ramify/model/node_dependent.hpp"
+#include "ramify/model/ternary.hpp"
 #include "ramify/tree/largest_order.hpp"
 
 namespace ramify {
@@ -141,7 +143,7 @@ class TernaryNodes {
  public:
   TernaryNodes(const Model& model, Size n, const Cancellation& cancellation)
       : p_(formula_of(model), model.text()),
-        by_depth_(model.name() == "node_ternary"),
+        by_depth_(model.is(NodeTernary::info())),
         n_(n),
         orders_(largest_strahler_order(2 * n + 1) + 1),
         cancellation_(&cancellation) {
@@ -204,7 +206,7 @@ class TernaryNodes {
 }  // namespace
 
 StreamCounts ternary_stream_counts(const Model& model, Size n, const Cancellation& cancellation) {
-  RAMIFY_EXPECTS(n > 0 && (model.name() == "ternary" || model.name() == "node_ternary"));
+  RAMIFY_EXPECTS(n > 0 && (model.is(Ternary::info()) || model.is(NodeTernary::info())));
   const OrdersBelow root = TernaryNodes(model, n, cancellation).solve();
   const std::size_t orders = root.means.size();
   StreamCounts counts;

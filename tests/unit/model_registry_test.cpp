@@ -158,12 +158,12 @@ TEST(SplitCharacter, SaysHowDepthsGrow) {
 
 TEST(Models, AreListedOnceEachWithTheirSource) {
   std::set<std::string_view> names;
-  for (const auto& info : models()) {
+  for (const ModelInfo& info : models()) {
     EXPECT_TRUE(names.insert(info.name).second);
     EXPECT_FALSE(info.source.empty());
     EXPECT_FALSE(info.n_counts.empty());
   }
-  for (const auto& info : models())
+  for (const ModelInfo& info : models())
     if (info.name == "beta") {
       EXPECT_EQ(info.signature(), "beta(a,b)");
     }
@@ -174,7 +174,7 @@ TEST(TestedModels, AreAllModels) {
   std::set<std::string, std::less<>> tested{"file"};
   for (const auto& text : test::all_models()) tested.emplace(Model::parse(text).name());
   for (const auto& grown : test::grown_cases()) tested.emplace(Model::parse(grown.model).name());
-  for (const auto& info : models()) EXPECT_TRUE(tested.contains(info.name)) << info.name;
+  for (const ModelInfo& info : models()) EXPECT_TRUE(tested.contains(info.name)) << info.name;
 }
 
 }  // namespace

@@ -205,7 +205,7 @@ std::uint64_t Model::stream_cell(Size n) const {
 
 bool operator==(const Model& a, const Model& b) {
   if (a.is_split() && b.is_split()) return a.law() == b.law();
-  return a.is_split() == b.is_split() && a.name() == b.name() && a.parameters_ == b.parameters_ &&
+  return a.is_split() == b.is_split() && a.info_ == b.info_ && a.parameters_ == b.parameters_ &&
          a.content_hash() == b.content_hash();
 }
 

@@ -35,6 +35,8 @@ class Model {
   const std::string& text() const { return text_; }
   const ModelInfo& info() const { return *info_; }
   std::string_view name() const { return info_->name; }
+  /// One of the models of that name: model.is(Ternary::info()).
+  bool is(const ModelInfo& info) const { return info_ == &info; }
   /// Numbers; none of a file or of formulas.
   const std::vector<double>& parameters() const { return parameters_; }
 

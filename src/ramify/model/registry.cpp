@@ -16,26 +16,28 @@
 namespace ramify {
 namespace {
 
+using Infos = std::vector<std::reference_wrapper<const ModelInfo>>;
+
 template <class... Laws>
   requires(SplitLaw<Laws, Stream> && ...)
-std::vector<ModelInfo> infos_of(std::type_identity<std::variant<Laws...>>) {
+Infos infos_of(std::type_identity<std::variant<Laws...>>) {
   return {Laws::info()...};
 }
 
-std::vector<ModelInfo> all_models() {
-  std::vector<ModelInfo> all = infos_of(std::type_identity<AnySplitLaw>());
-  for (const ModelInfo& grown :
-       {Trie::info(), Ternary::info(), NodeBeta::info(), NodeSplit::info(), NodeDst::info(),
-        NodeTernary::info(), Branching::info(), GaltonWatson::info(), tokunaga_info(), ramification_info(),
-        hybrid_info(), markov_info(), Kary::info(), FlowRate::info()})
-    all.push_back(grown);
+Infos all_models() {
+  Infos all = infos_of(std::type_identity<AnySplitLaw>());
+  const Infos grown{Trie::info(),    Ternary::info(),     NodeBeta::info(),  NodeSplit::info(),
+                    NodeDst::info(), NodeTernary::info(), Branching::info(), GaltonWatson::info(),
+                    tokunaga_info(), ramification_info(), hybrid_info(),     markov_info(),
+                    Kary::info(),    FlowRate::info()};
+  all.insert(all.end(), grown.begin(), grown.end());
   return all;
 }
 
 }  // namespace
 
-const std::vector<ModelInfo>& models() {
-  static const std::vector<ModelInfo> all = all_models();
+const std::vector<std::reference_wrapper<const ModelInfo>>& models() {
+  static const Infos all = all_models();
   return all;
 }
 

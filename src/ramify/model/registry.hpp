@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string_view>
 #include <vector>
 
@@ -8,7 +9,7 @@
 namespace ramify {
 
 /// All models, in the order they are listed.
-const std::vector<ModelInfo>& models();
+const std::vector<std::reference_wrapper<const ModelInfo>>& models();
 
 /// Throws Error for an unknown name, nearest names given.
 const ModelInfo& find_model(std::string_view name);

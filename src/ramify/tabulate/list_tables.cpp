@@ -49,7 +49,7 @@ std::string coverage_of(const StatisticInfo& statistic, const ModelInfo& model) 
 
 Table model_table() {
   Table table({"name", "n_counts", "domain", "description", "sampled", "source"});
-  for (const auto& info : models())
+  for (const ModelInfo& info : models())
     table.add(Row().texts({info.signature(), info.n_counts, info.domain(), info.description,
                            info.is_split ? "exact laws; grafted" : "every node grown", info.source}));
   return table;
@@ -85,7 +85,7 @@ Table statistic_table() {
 Table coverage_table() {
   std::vector<std::vector<std::string>> columns;
   std::vector<std::string> header{"statistic"};
-  for (const auto& model : models()) {
+  for (const ModelInfo& model : models()) {
     std::vector<std::string> column;
     for (const StatisticInfo& statistic : statistics()) column.push_back(coverage_of(statistic, model));
     const auto same = std::find(columns.begin(), columns.end(), column);
