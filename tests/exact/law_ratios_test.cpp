@@ -7,7 +7,6 @@
 
 #include "support/goodness.hpp"
 #include "support/growing.hpp"
-#include "support/sanitized.hpp"
 #include "support/seed.hpp"
 #include "support/uninterrupted.hpp"
 #include <gtest/gtest.h>
@@ -67,7 +66,6 @@ TEST(LawRatio, ScattersAsTheDeltaMethodSays) {
 }
 
 TEST(LawRatios, RootsHaveTheObservedRatio) {
-  if (test::sanitized) GTEST_SKIP() << "ratios of laws are those of LawRatio";
   std::vector<double> grid;
   for (double p = 0.02; p < 0.5; p *= 1.05) grid.push_back(p);
   grid.push_back(0.5);

@@ -44,7 +44,7 @@ std::vector<double> exact_pmf(const test::Single& single, const Model& model, Si
 }
 
 constexpr Size grown_n = 1024;  // one statistic is grafted at 256, several at 16 and 12
-constexpr std::uint64_t grown_trees = 5000;
+constexpr std::uint64_t grown_trees = 10'000;
 
 void expect_singles_of_the_exact_law_and_of_whole_trees(const Model& model, const std::string& name) {
   const auto& singles = test::singles;

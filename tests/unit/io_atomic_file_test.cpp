@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/resource.h>
-#include <unistd.h>
 
 #include "ramify/io/atomic_file.hpp"
 #include "ramify/text/text_file.hpp"

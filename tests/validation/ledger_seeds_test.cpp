@@ -6,6 +6,7 @@
 #include <iterator>
 #include <vector>
 
+#include "support/scratch.hpp"
 #include "support/uninterrupted.hpp"
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -51,17 +52,12 @@ std::vector<RunConfig> cut_down_configs(bool with_claim) {
 
 /// The cells of one config under one seed.
 std::vector<FinishedCell> grown_cells(const Plan& plan) {
-  const fs::path folder = fs::temp_directory_path() / fmt::format("ramify_seed_{}", plan.seed);
-  fs::remove_all(folder);  // of a run that was killed
-  fs::create_directories(folder);
+  const test::Scratch scratch;
   std::vector<FinishedCell> cells;
   RunObserver observer;
   observer.cell_done = [&](std::size_t index, const CellResult& result) { cells.push_back({index, result}); };
-  {
-    BlockStore store(folder / BlockStore::file_name, plan);
-    run_cells(plan, store, 1, test::uninterrupted, observer);
-  }
-  fs::remove_all(folder);
+  BlockStore store(scratch / BlockStore::file_name, plan);
+  run_cells(plan, store, 1, test::uninterrupted, observer);
   return cells;
 }
 
