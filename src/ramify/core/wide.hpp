@@ -11,6 +11,11 @@ struct WideProduct {
   std::uint64_t low;
 
   friend auto operator<=>(const WideProduct&, const WideProduct&) = default;
+
+  /// Modulo 2^128.
+  friend WideProduct operator-(const WideProduct& a, const WideProduct& b) {
+    return {a.high - b.high - (a.low < b.low ? 1 : 0), a.low - b.low};
+  }
 };
 
 /// The full product of two 64-bit integers.

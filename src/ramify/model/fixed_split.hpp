@@ -28,12 +28,12 @@ class FixedSplit {
     return left(n);
   }
 
-  /// The product in double precision is less than 1 off: one step either way.
+  /// The product in double precision is less than 1 off: one step either way, as the remainder says.
   Size left(Size n) const {
     const auto near = static_cast<Size>(static_cast<double>(n) * x_);
-    const WideProduct product = multiply_wide(n, exact_.numerator);
-    if (multiply_wide(near, exact_.denominator) > product) return near - 1;
-    return multiply_wide(near + 1, exact_.denominator) <= product ? near + 1 : near;
+    const WideProduct rest = multiply_wide(n, exact_.numerator) - multiply_wide(near, exact_.denominator);
+    if (rest.high == ~std::uint64_t{0}) return near - 1;  // below 0
+    return rest.high > 0 || rest.low >= exact_.denominator ? near + 1 : near;
   }
 
   /// 1 at floor(nx).

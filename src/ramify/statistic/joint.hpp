@@ -72,7 +72,7 @@ class Joint {
   }
 
   template <class Label, class Labels, class Values>
-  Value join(const Label& label, const Labels& labels, const Values& values) {
+  [[gnu::always_inline]] Value join(const Label& label, const Labels& labels, const Values& values) {
     return join_each(label, labels, values, std::index_sequence_for<Folds...>{});
   }
 
