@@ -13,18 +13,18 @@ namespace ramify {
 namespace {
 
 using Read = double (*)(const TreeMeasures&);
-using Look = std::function<void(const TreeMeasures&)>;
-using Grow = std::function<void(Size n, std::uint64_t trees, std::uint64_t seed, const Look& look)>;
+using Grow = std::function<void(Size n, std::uint64_t trees, std::uint64_t seed, const test::Look& look)>;
 
+/// @param law  of splits, or a model
 template <class Law>
 Grow grower_of(const Law& law) {
-  return [law](Size n, std::uint64_t trees, std::uint64_t seed, const Look& look) {
+  return [law](Size n, std::uint64_t trees, std::uint64_t seed, const test::Look& look) {
     test::grow_and_measure(law, n, trees, seed, look);
   };
 }
 
 Grow grower_of_model(const std::string& model) {
-  return std::visit([](const auto& law) { return grower_of(law); }, Model::parse(model).law());
+  return grower_of(Model::parse(model));
 }
 
 test::SampleMean sample(const Grow& grow, Size n, std::uint64_t trees, const std::string& tag, Read read) {

@@ -15,12 +15,8 @@ constexpr Size table_size = 200;
 
 test::Tally tally(const Model& model, const std::string& tag) {
   test::Tally tally;
-  std::visit(
-      [&](const auto& law) {
-        test::grow_and_measure(law, table_size, 20000, test::seed_of(tag),
-                               [&](const TreeMeasures& m) { ++tally[{m.strahler, m.height}]; });
-      },
-      model.law());
+  test::grow_and_measure(model, table_size, 20000, test::seed_of(tag),
+                         [&](const TreeMeasures& m) { ++tally[{m.strahler, m.height}]; });
   return tally;
 }
 

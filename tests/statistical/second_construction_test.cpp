@@ -52,12 +52,8 @@ test::Tally tally_built(const Builder& build, std::uint64_t seed) {
 /// (order, height) of grown trees.
 test::Tally tally_grown(const std::string& model, std::uint64_t seed) {
   test::Tally tally;
-  std::visit(
-      [&](const auto& law) {
-        test::grow_and_measure(law, built_size, built_trees, seed,
-                               [&](const TreeMeasures& m) { ++tally[{m.strahler, m.height}]; });
-      },
-      Model::parse(model).law());
+  test::grow_and_measure(Model::parse(model), built_size, built_trees, seed,
+                         [&](const TreeMeasures& m) { ++tally[{m.strahler, m.height}]; });
   return tally;
 }
 

@@ -57,4 +57,8 @@ std::vector<std::uint64_t> count_splits(std::string_view model, Size n, std::uin
   return counts;
 }
 
+void grow_and_measure(const Model& model, Size n, std::uint64_t trees, std::uint64_t seed, const Look& look) {
+  std::visit([&](const auto& law) { grow_and_measure(law, n, trees, seed, look); }, model.law());
+}
+
 }  // namespace ramify::test

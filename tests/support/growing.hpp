@@ -39,10 +39,13 @@ TreeSource tree_source(std::string_view model, StreamKey key, Size table_size);
 std::vector<std::uint64_t> count_splits(std::string_view model, Size n, std::uint64_t draws,
                                         std::uint64_t seed, Size table_size);
 
-/// Grows so many trees (sanitized.hpp) of any split law, replicates 0, 1, ..., and hands over what was
-/// measured; the law need not be a registered model. look(measures) for each tree.
-template <class Law, class Look>
-void grow_and_measure(const Law& law, Size n, std::uint64_t trees, std::uint64_t seed, Look look) {
+/// What looks at each tree that was measured.
+using Look = std::function<void(const TreeMeasures&)>;
+
+/// Grows so many trees (sanitized.hpp) of a split law that need not be a registered model, replicates 0, 1,
+/// ..., and hands over what was measured.
+template <class Law>
+void grow_and_measure(const Law& law, Size n, std::uint64_t trees, std::uint64_t seed, const Look& look) {
   using Everything = Joint<LastNodeDepth, Height, HortonStrahler, FillLevel, Balance>;
   const SplitTree<Law> grammar(law);
   const Cancellation never;
@@ -65,5 +68,9 @@ void grow_and_measure(const Law& law, Size n, std::uint64_t trees, std::uint64_t
     look(measures);
   }
 }
+
+/// The same of a registered model with a split law. Here once, for the loops of all laws take long to
+/// compile.
+void grow_and_measure(const Model& model, Size n, std::uint64_t trees, std::uint64_t seed, const Look& look);
 
 }  // namespace ramify::test
