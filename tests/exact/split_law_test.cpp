@@ -255,6 +255,22 @@ TEST(FixedSplitLaw, IsTheFloorOfTheFractionAsWritten) {
   }
 }
 
+// Denominators of 64 bits; half of n in double precision where 0.4999999999999999999 of it is less.
+TEST(FixedSplitLaw, IsTheFloorOfNineteenDigits) {
+  const cpp_int ten_to_19("10000000000000000000");
+  int above = 0;
+  for (const char* digits : {"1234567890123456789", "9876543210987654321", "4999999999999999999"}) {
+    const FixedSplit law = std::get<FixedSplit>(Model::parse(fmt::format("split(0.{})", digits)).law());
+    for (Size n = max_double_size - 4000; n <= max_double_size; ++n) {
+      const auto floor = static_cast<Size>(cpp_int(n) * cpp_int(digits) / ten_to_19);
+      const auto product = static_cast<Size>(static_cast<double>(n) * law.x());
+      above += product > floor ? 1 : 0;
+      ASSERT_EQ(law.left(n), floor) << digits << ", n = " << n;
+    }
+  }
+  EXPECT_GT(above, 0);
+}
+
 TEST(FixedSplitLaw, IsOfTheNumberHoweverItIsWritten) {
   EXPECT_EQ(Model::parse("split(0.25)"), Model::parse("split(1/4)"));
   EXPECT_EQ(Model::parse("split(29e-2)").law(), AnySplitLaw(FixedSplit(0.29)));

@@ -77,5 +77,13 @@ TEST(MultiplyWide, GivesBothHalves) {
   EXPECT_EQ(multiply_wide(0x123456789abcdef0u, 0xfedcba9876543210u).low, 0x236d88fe5618cf00u);
 }
 
+TEST(WideProduct, IsSubtractedModulo2To128) {
+  const WideProduct two_to_64{1, 0}, one{0, 1};
+  EXPECT_EQ((two_to_64 - one).high, 0u);
+  EXPECT_EQ((two_to_64 - one).low, UINT64_MAX);
+  EXPECT_EQ((one - two_to_64).high, UINT64_MAX);
+  EXPECT_EQ((one - two_to_64).low, 1u);
+}
+
 }  // namespace
 }  // namespace ramify

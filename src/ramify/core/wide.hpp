@@ -1,6 +1,5 @@
 #pragma once
 
-#include <compare>
 #include <cstdint>
 
 namespace ramify {
@@ -9,8 +8,6 @@ namespace ramify {
 struct WideProduct {
   std::uint64_t high;
   std::uint64_t low;
-
-  friend auto operator<=>(const WideProduct&, const WideProduct&) = default;
 
   /// Modulo 2^128.
   friend WideProduct operator-(const WideProduct& a, const WideProduct& b) {
