@@ -11,8 +11,10 @@ namespace ramify::test {
 namespace {
 
 /// Not bound to cores: a test may ask for more threads than there are. --quiet: without mpirun's own words on
-/// a process that failed.
-const std::string mpirun = mpi_as_root + "timeout 120 mpirun --quiet --oversubscribe --bind-to none";
+/// a process that failed. --foreground: else a signal reaches mpirun twice, and at the second it ends before
+/// its ranks do.
+const std::string mpirun =
+    mpi_as_root + "timeout --foreground 120 mpirun --quiet --oversubscribe --bind-to none";
 
 Ran team(unsigned ranks, const std::string& arguments) {
   return shell(fmt::format("{} -n {} {} {}", mpirun, ranks, RAMIFY_PROGRAM, arguments));

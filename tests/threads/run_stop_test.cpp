@@ -1,6 +1,9 @@
 // A run that is stopped keeps its complete cells, and resumed gives the bytes of one that was not.
+#include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <memory>
+#include <thread>
 
 #include "support/scratch.hpp"
 #include <gtest/gtest.h>
@@ -86,6 +89,16 @@ TEST_F(StoppedRun, HasItsFolderForItself) {
   const WorkFolder other(folder_ / "o", KeptCells::refuse);
   EXPECT_THROW(run("o", KeptCells::refuse, never), Error);
   EXPECT_THROW(run("o", KeptCells::drop, never), Error);
+}
+
+// A fifth of a second, of the two that it may take.
+TEST_F(StoppedRun, MayStillBeEndingWhenItIsTakenOver) {
+  auto ending = std::make_unique<WorkFolder>(folder_ / "o", KeptCells::refuse);
+  const std::jthread end([&ending] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    ending.reset();
+  });
+  EXPECT_TRUE(run("o", KeptCells::take_over, never).finished);
 }
 
 }  // namespace

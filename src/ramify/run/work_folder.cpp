@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <system_error>
+#include <thread>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -17,6 +19,10 @@ namespace ramify {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// What a run that was told to stop may take: its processes can outlive the mpirun that started them, and
+/// who goes on with it comes before they have ended.
+constexpr std::chrono::seconds stopping_time{2};
 
 fs::path work_of(const fs::path& folder) {
   return folder.string() + ".incomplete";
@@ -60,7 +66,7 @@ void require_run_folder(const fs::path& folder, KeptCells kept) {
 
 WorkFolder::WorkFolder(fs::path folder, KeptCells kept)
     : folder_(std::move(folder)), work_(work_of(folder_)) {
-  lock();
+  lock(kept == KeptCells::take_over ? stopping_time : std::chrono::seconds(0));
   try {
     require_run_folder(folder_, kept);
     if (kept != KeptCells::take_over) empty_folder(work_);
@@ -74,14 +80,19 @@ WorkFolder::~WorkFolder() {
   ::close(locked_);
 }
 
-void WorkFolder::lock() {
+void WorkFolder::lock(std::chrono::steady_clock::duration patience) {
   require_writable_folder(work_);
   locked_ = ::open(work_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (locked_ >= 0 && ::flock(locked_, LOCK_EX | LOCK_NB) == 0) return;
-  if (errno != EWOULDBLOCK) return;  // a file system without locks: then nothing is known of other runs
-  ::close(locked_);
-  throw Error(fmt::format("another run works in '{}'", work_.string()), "two would mix their cells",
-              "wait for it, or choose another --out");
+  const auto lost = std::chrono::steady_clock::now() + patience;
+  while (locked_ >= 0 && ::flock(locked_, LOCK_EX | LOCK_NB) != 0) {
+    if (errno != EWOULDBLOCK) return;  // a file system without locks: then nothing is known of other runs
+    if (std::chrono::steady_clock::now() >= lost) {
+      ::close(locked_);
+      throw Error(fmt::format("another run works in '{}'", work_.string()), "two would mix their cells",
+                  "wait for it, or choose another --out");
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
 }
 
 void WorkFolder::move_into_place() const {

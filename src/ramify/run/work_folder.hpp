@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 
 namespace ramify {
@@ -19,8 +20,8 @@ void require_run_folder(const std::filesystem::path& folder, KeptCells kept);
 /// "<folder>.incomplete", in which a run works until it is finished; no other process works in it meanwhile.
 class WorkFolder {
  public:
-  /// Throws Error as require_run_folder does, where another run works there, and where nothing can be
-  /// written.
+  /// Throws Error as require_run_folder does, where another run works there (to take over, when it has not
+  /// ended in two seconds), and where nothing can be written.
   WorkFolder(std::filesystem::path folder, KeptCells kept);
   ~WorkFolder();
   WorkFolder(const WorkFolder&) = delete;
@@ -34,7 +35,7 @@ class WorkFolder {
   void move_into_place() const;
 
  private:
-  void lock();
+  void lock(std::chrono::steady_clock::duration patience);
 
   std::filesystem::path folder_, work_;
   int locked_ = -1;  // a descriptor of the folder; the system lets go of it however the process ends
