@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <numeric>
-#include <variant>
 
 #include "claim.hpp"
 #include <fmt/format.h>
@@ -21,6 +20,7 @@ namespace {
 
 constexpr std::array moment_models{"beta(10,80)", "beta(1,5)", "beta(0.3,3)"};
 constexpr Size split_size = 1 << 14;
+constexpr double cutoff = 1e-30;
 constexpr double law_error = 1e-9;  // relative, of the split laws (tests/exact/split_law_test.cpp)
 
 /// Mean and standard deviation of the left size.
@@ -28,13 +28,8 @@ struct LeftSize {
   double mean, deviation;
 };
 
-WeightWindow split_window(const Model& model, Size n) {
-  constexpr double cutoff = 1e-30;
-  return std::visit([n](const auto& law) { return law.window(n, cutoff); }, model.law());
-}
-
 LeftSize left_size(const Model& model, Size n) {
-  const WeightWindow window = split_window(model, n);
+  const WeightWindow window = model.window(n, cutoff);
   double total = 0, sum = 0, squares = 0;
   const auto at = [&](std::size_t m) { return static_cast<double>(window.first + m); };
   for (std::size_t m = 0; m < window.weights.size(); ++m) {
@@ -113,7 +108,7 @@ PlotSeries split_density(const Model& model) {
   constexpr double least = 0.01;  // that is drawn
   constexpr Size step = split_size / 256;
   constexpr auto n = static_cast<double>(split_size);
-  const WeightWindow window = split_window(model, split_size);
+  const WeightWindow window = model.window(split_size, cutoff);
   const double total = std::accumulate(window.weights.begin(), window.weights.end(), 0.0);
   const auto density = [&](std::size_t place) { return n * window.weights[place] / total; };
   PlotSeries series{model.text()};

@@ -15,7 +15,6 @@
 #include <functional>
 #include <set>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "at_infinity.hpp"
@@ -36,9 +35,7 @@ constexpr Size concentration = 400000, largest_root = 64;
 using SplitOf = std::function<std::vector<double>(Size n)>;
 
 SplitOf split_of(const char* model) {
-  return [law = Model::parse(model).law()](Size n) {
-    return std::visit([n](const auto& split) { return split_pmf(split, n); }, law);
-  };
+  return [law = Model::parse(model)](Size n) { return split_pmf(law, n); };
 }
 
 /// Half the sum of |a(i) + a(n-1-i) - b(i) - b(n-1-i)|/2.

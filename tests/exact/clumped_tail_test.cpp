@@ -68,8 +68,7 @@ Probabilities law_of_count(const Model& model, Size n, OrderCount count) {
   const std::size_t chain = count.of == OrderCount::Of::nodes ? 1 : 0;
   for (Size size = 1; size <= n; ++size) {
     CountLaw law{Probabilities(count.order), Probabilities(size + 1), Probabilities(size + 1)};
-    const WeightWindow window =
-        std::visit([size](const auto& split) { return split.window(size, 1e-30); }, model.law());
+    const WeightWindow window = model.window(size, 1e-30);
     const double sum = total(window.weights);
     for (std::size_t i = 0; i < window.weights.size(); ++i) {
       const Size left = window.first + i;

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numeric>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "support/sanitized.hpp"
@@ -29,7 +28,7 @@ constexpr double promised = 1e-20;  // smaller ones may have fewer digits
 /// P(left = i), scaled to sum 1.
 std::vector<Real> split_law(const Model& model, Size n) {
   if (n == 1) return {1};
-  const auto pmf = std::visit([n](const auto& law) { return split_pmf(law, n); }, model.law());
+  const auto pmf = split_pmf(model, n);
   const Real sum = std::accumulate(pmf.begin(), pmf.end(), Real{0});
   std::vector<Real> scaled;
   for (const double p : pmf) scaled.push_back(p / sum);

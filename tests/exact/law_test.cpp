@@ -43,8 +43,7 @@ using Sums = std::vector<Real>;
 using Pmf = std::function<std::vector<double>(Size)>;
 
 Pmf pmf_of(const Model& model) {
-  return
-      [model](Size n) { return std::visit([n](const auto& law) { return split_pmf(law, n); }, model.law()); };
+  return [model](Size n) { return split_pmf(model, n); };
 }
 
 /// The product over the internal nodes of the probability of their split.

@@ -25,7 +25,7 @@ using boost::multiprecision::cpp_int;
 using boost::multiprecision::cpp_rational;
 
 std::vector<double> pmf_of(const std::string& model, Size n) {
-  return std::visit([&](const auto& law) { return split_pmf(law, n); }, Model::parse(model).law());
+  return split_pmf(Model::parse(model), n);
 }
 
 cpp_int choose(unsigned n, unsigned k) {

@@ -38,7 +38,7 @@ TEST_P(FileModel, SplitsAsItsTableSays) {
   const test::SplitTableFile file(test::split_table_of(model, table_size));
   const auto counts = test::count_splits(file.model().text(), table_size, 400000,
                                          test::seed_of("splits of a file"), test::default_tables);
-  const auto pmf = std::visit([](const auto& law) { return split_pmf(law, table_size); }, model.law());
+  const auto pmf = split_pmf(model, table_size);
   EXPECT_TRUE(test::agrees(test::chi_square(model.text() + " from a file", counts, pmf)));
 }
 

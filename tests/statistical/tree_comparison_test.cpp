@@ -4,7 +4,6 @@
 #include <cmath>
 #include <map>
 #include <string>
-#include <variant>
 
 #include "support/error_of.hpp"
 #include "support/goodness.hpp"
@@ -15,21 +14,16 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "ramify/model/split_tree.hpp"
+#include "ramify/model/labelled_tree.hpp"
 #include "ramify/statistic/registry.hpp"
 #include "ramify/tree/parenthesis_word.hpp"
-#include "ramify/tree/store.hpp"
 
 namespace ramify {
 namespace {
 
 Tree tree_of(const Model& model, Size n, std::uint64_t replicate) {
-  return std::visit(
-      [&]<class Law>(const Law& law) {
-        Stream stream({test::seed_of("compared"), 0}, replicate);
-        return grow_tree(SplitTree<Law>(law), n, stream);
-      },
-      model.law());
+  Stream stream({test::seed_of("compared"), 0}, replicate);
+  return grow_labelled(model, n, stream, test::uninterrupted).tree;
 }
 
 /// How often each statistic's p-value is at most 0.05.

@@ -1,7 +1,5 @@
 #include "support/split_table_file.hpp"
 
-#include <variant>
-
 #include <fmt/format.h>
 
 #include "ramify/core/number.hpp"
@@ -11,7 +9,7 @@ namespace ramify::test {
 std::string split_table_of(const Model& model, Size largest) {
   std::string text = "n,left,probability\n";
   for (Size n = 2; n <= largest; ++n) {
-    const auto pmf = std::visit([n](const auto& law) { return split_pmf(law, n); }, model.law());
+    const auto pmf = split_pmf(model, n);
     for (Size left = 0; left < n; ++left)
       if (pmf[left] > 0) text += fmt::format("{},{},{}\n", n, left, format_exact(pmf[left]));
   }

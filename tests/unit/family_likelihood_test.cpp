@@ -7,6 +7,7 @@
 #include "support/error_of.hpp"
 #include "support/seed.hpp"
 #include "support/tree_files.hpp"
+#include "support/uninterrupted.hpp"
 #include <boost/math/special_functions/beta.hpp>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -14,9 +15,8 @@
 #include "ramify/family/beta_cell.hpp"
 #include "ramify/family/family.hpp"
 #include "ramify/model/beta.hpp"
-#include "ramify/model/split_tree.hpp"
+#include "ramify/model/labelled_tree.hpp"
 #include "ramify/random/stream.hpp"
-#include "ramify/tree/store.hpp"
 
 namespace ramify {
 namespace {
@@ -75,10 +75,6 @@ std::string text_of(const FamilyCase& of) {
   return text;
 }
 
-std::vector<double> pmf_of(const Model& model, Size n) {
-  return std::visit([n](const auto& law) { return split_pmf(law, n); }, model.law());
-}
-
 /// Minus the log of q(i) + q(n-1-i), or q(i) where they are the same split.
 double minus_log(const std::vector<double>& pmf, Size i) {
   const Size other = pmf.size() - 1 - i;
@@ -120,14 +116,14 @@ double literal_product(const Model& model, const Tree& tree) {
     sizes.pop_back();
     const Size n = left + sizes.back() + 1;
     sizes.back() = n;
-    sum += minus_log(pmf_of(model, n), left);
+    sum += minus_log(split_pmf(model, n), left);
   }
   return sum;
 }
 
 Tree grown(const Model& model, Size n, std::uint64_t replicate) {
   Stream stream({test::seed_of("family likelihood"), n}, replicate);
-  return std::visit([&](const auto& law) { return grow_tree(SplitTree(law), n, stream); }, model.law());
+  return grow_labelled(model, n, stream, test::uninterrupted).tree;
 }
 
 TEST(FamilyLikelihood, IsTheProductOfTheSplitLawOverAllNodes) {
@@ -150,10 +146,10 @@ TEST(FamilyLikelihood, HoldsEverySplitOfARow) {
   for (const FamilyCase& of : family_cases()) {
     const Model model = find_family(of.family).at(of.values);
     for (const Size n : {5u, 64u, 130u, 301u}) {
-      const auto pmf = pmf_of(model, n);
+      const auto pmf = split_pmf(model, n);
       std::vector<double> chains{0};  // minus the log-likelihood of a chain, as far as it goes
       for (Size size = 1; size < n; ++size) {
-        const double step = minus_log(pmf_of(model, size), 0);
+        const double step = minus_log(split_pmf(model, size), 0);
         chains.push_back(chains.back() + (step < least_log ? step : std::numeric_limits<double>::infinity()));
       }
       for (Size i = 0; 2 * i < n; i += 1 + n / 40) {

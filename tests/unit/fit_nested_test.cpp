@@ -19,10 +19,7 @@ const Cancellation ignored;
 
 /// How far two split laws are from each other at n, where left and right mean nothing.
 double unordered_distance(const Model& one, const Model& other, Size n) {
-  const auto pmf = [n](const Model& model) {
-    return std::visit([n](const auto& law) { return split_pmf(law, n); }, model.law());
-  };
-  const auto p = pmf(one), q = pmf(other);
+  const auto p = split_pmf(one, n), q = split_pmf(other, n);
   double distance = 0;
   for (Size i = 0; i < n; ++i)
     distance = std::max(distance, std::abs(p[i] + p[n - 1 - i] - q[i] - q[n - 1 - i]));

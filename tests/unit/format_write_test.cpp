@@ -1,19 +1,18 @@
 // Every tree that is written is read back as the same tree, left and right included.
 #include <cmath>
-#include <variant>
 
 #include "support/growing.hpp"
 #include "support/grown_cases.hpp"
 #include "support/shape.hpp"
 #include "support/tree_files.hpp"
+#include "support/uninterrupted.hpp"
 #include <gtest/gtest.h>
 
 #include "ramify/core/cancellation.hpp"
 #include "ramify/format/write_trees.hpp"
+#include "ramify/model/labelled_tree.hpp"
 #include "ramify/model/registry.hpp"
-#include "ramify/model/split_tree.hpp"
 #include "ramify/tree/parenthesis_word.hpp"
-#include "ramify/tree/store.hpp"
 
 namespace ramify {
 namespace {
@@ -25,11 +24,8 @@ RecordedTree plain(Tree tree) {
 }
 
 Tree grown(const Model& model, Size n, std::uint64_t replicate) {
-  const Cancellation never;
   Stream stream({1996, model.stream_cell(n)}, replicate);
-  if (!model.is_split()) return model.grown().grow(n, stream, never);
-  return std::visit([&]<class Law>(const Law& law) { return grow_tree(SplitTree<Law>(law), n, stream); },
-                    model.law());
+  return grow_labelled(model, n, stream, test::uninterrupted).tree;
 }
 
 class Written : public testing::TestWithParam<TreeFormat> {

@@ -1,26 +1,21 @@
 // A tree that is folded while it grows and the same tree stored and measured have the same statistics.
 #include <string>
-#include <variant>
 
 #include "support/growing.hpp"
 #include "support/grown_cases.hpp"
+#include "support/uninterrupted.hpp"
 #include <gtest/gtest.h>
 
-#include "ramify/model/split_tree.hpp"
+#include "ramify/model/labelled_tree.hpp"
 #include "ramify/sample/measure_tree.hpp"
 #include "ramify/sample/tree_sampler.hpp"
-#include "ramify/tree/store.hpp"
 
 namespace ramify {
 namespace {
 
 TreeMeasures stored(const Model& model, Size n, StreamKey key, std::uint64_t replicate) {
-  return std::visit(
-      [&]<class Law>(const Law& law) {
-        Stream stream(key, replicate);
-        return measure_tree(grow_tree(SplitTree<Law>(law), n, stream), key, replicate);
-      },
-      model.law());
+  Stream stream(key, replicate);
+  return measure_tree(grow_labelled(model, n, stream, test::uninterrupted).tree, key, replicate);
 }
 
 /// The walks are random, and a stored tree is folded in another order.
@@ -42,11 +37,11 @@ void expect_same_but_for_the_walks(const TreeMeasures& a, const TreeMeasures& b,
 }
 
 TEST(MeasureTree, SeesWhatTheGrowingPassSees) {
-  const Cancellation never;
   for (const std::string& text : test::all_models()) {
     const Model model = Model::parse(text);
-    const auto all = make_tree_sampler({model, whole_trees(all_but_indices), max_size, &never});
-    const auto full = make_tree_sampler({model, whole_trees(orders_and_paths), max_size, &never});
+    const auto all = make_tree_sampler({model, whole_trees(all_but_indices), max_size, &test::uninterrupted});
+    const auto full =
+        make_tree_sampler({model, whole_trees(orders_and_paths), max_size, &test::uninterrupted});
     for (const Size n : {0u, 1u, 2u, 7u, 100u, 20'000u}) {
       SCOPED_TRACE(text + ", n = " + std::to_string(n));
       const StreamKey key{7, model.stream_cell(n)};
@@ -62,13 +57,12 @@ TEST(MeasureTree, SeesWhatTheGrowingPassSees) {
 }
 
 TEST(MeasureTree, SeesTheOrdersThatAreAskedForAlone) {
-  const Cancellation never;
   auto cases = test::grown_cases();
   cases.insert(cases.end(), {{"kary(3)", 1}, {"branching(0,1,0)", 5}});  // a leaf, a path
   for (const auto& [text, n] : cases) {
     const Model model = Model::parse(text);
     Stream stream({7, 8}, 9);
-    const Tree tree = model.grown().grow(n, stream, never);
+    const Tree tree = model.grown().grow(n, stream, test::uninterrupted);
     const TreeMeasures all = measure_tree(tree, {7, 8}, 9),
                        orders = measure_tree(tree, {7, 8}, 9, orders_and_height);
     EXPECT_EQ(orders.size, all.size) << text;

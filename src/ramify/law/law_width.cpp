@@ -53,7 +53,7 @@ class Fraction {
 /// one.
 Fraction fraction_of_row(const Model& model, Size size) {
   const Size row = std::clamp<Size>(size, 1, model.largest_size());
-  const auto pmf = std::visit([row](const auto& law) { return split_pmf(law, row); }, model.law());
+  const auto pmf = split_pmf(model, row);
   const double n = static_cast<double>(pmf.size());
   double mean = 0, square = 0;
   for (std::size_t i = 0; i < pmf.size(); ++i) {

@@ -110,7 +110,7 @@ auto outcome_laws(const Model& model, Size largest, MakeFold make_fold,
   std::vector<OutcomesOf<F>> laws{{{fold.external(), TallyOf<F>(), 1.0}}};
   for (Size n = 1; n <= largest; ++n) {
     if (cancellation.requested()) throw Interrupted();
-    const auto left_pmf = std::visit([n](const auto& law) { return split_pmf(law, n); }, model.law());
+    const auto left_pmf = split_pmf(model, n);
     laws.push_back(detail::join_outcomes<F>(n == 1 ? std::vector{1.0} : left_pmf, laws, fold, path));
   }
   return laws;

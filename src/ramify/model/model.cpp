@@ -153,6 +153,10 @@ SplitCharacter Model::character() const {
   return std::visit([](const auto& law) { return law.character(); }, law());
 }
 
+WeightWindow Model::window(Size n, double cutoff) const {
+  return std::visit([&](const auto& law) { return law.window(n, cutoff); }, law());
+}
+
 Size Model::largest_size() const {
   if (!is_split()) return grown().largest_size();
   return std::visit([](const auto& law) { return law.largest_size(); }, law());

@@ -45,6 +45,8 @@ class Model {
   /// Of a split model.
   const AnySplitLaw& law() const { return std::get<AnySplitLaw>(*kind_); }
   SplitCharacter character() const;
+  /// P(left = i), of a split model (SplitLaw, split_law.hpp).
+  WeightWindow window(Size n, double cutoff) const;
   /// Of any other.
   const GrownModel& grown() const { return *std::get<std::shared_ptr<const GrownModel>>(*kind_); }
 

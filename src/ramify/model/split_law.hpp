@@ -43,7 +43,7 @@ concept SplitLaw = requires(const L& law, Size n, double cutoff, Urbg& stream) {
   { L::info() } -> std::same_as<const ModelInfo&>;
 };
 
-/// P(left = i), i = 0..n-1, of a law that has windows. O(n).
+/// P(left = i), i = 0..n-1, of a law or a Model. O(n).
 template <class Law>
 std::vector<double> split_pmf(const Law& law, Size n) {
   WeightWindow window = law.window(n, 0);
