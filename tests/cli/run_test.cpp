@@ -9,7 +9,7 @@ namespace {
 
 constexpr const char* small_config = R"toml(
 models     = ["bst", "beta(0.5,2)", "patricia(1/4.35)", "dst(0.3)", "catalan", "split(0.25)"]
-n          = { from = 10, to = 3000, count = 4 }
+n          = { from = 10, to = 1200, count = 4 }
 replicates = { to_1e3 = 300, above = 30 }
 statistics = ["size", "strahler", "height", "depth", "fill_level", "balance", "nodes", "streams",
               "streams_mean_ratio", "nodes_regression", "streams_geometric"]
