@@ -81,18 +81,22 @@ WorkFolder::~WorkFolder() {
 }
 
 void WorkFolder::lock(std::chrono::steady_clock::duration patience) {
-  require_writable_folder(work_);
-  locked_ = ::open(work_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   const auto lost = std::chrono::steady_clock::now() + patience;
-  while (locked_ >= 0 && ::flock(locked_, LOCK_EX | LOCK_NB) != 0) {
-    if (errno != EWOULDBLOCK) return;  // a file system without locks: then nothing is known of other runs
-    if (std::chrono::steady_clock::now() >= lost) {
-      ::close(locked_);
+  while (!try_lock()) {
+    if (std::chrono::steady_clock::now() >= lost)
       throw Error(fmt::format("another run works in '{}'", work_.string()), "two would mix their cells",
                   "wait for it, or choose another --out");
-    }
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
+}
+
+bool WorkFolder::try_lock() {
+  require_writable_folder(work_);  // again at every try: a run that is finished takes it away
+  locked_ = ::open(work_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (locked_ >= 0 && ::flock(locked_, LOCK_EX | LOCK_NB) == 0) return true;
+  if (errno != EWOULDBLOCK) return true;  // a file system without locks: then nothing is known of other runs
+  ::close(locked_);
+  return false;
 }
 
 void WorkFolder::move_into_place() const {

@@ -36,6 +36,8 @@ class WorkFolder {
 
  private:
   void lock(std::chrono::steady_clock::duration patience);
+  /// False where another run works there.
+  bool try_lock();
 
   std::filesystem::path folder_, work_;
   int locked_ = -1;  // a descriptor of the folder; the system lets go of it however the process ends
