@@ -46,7 +46,7 @@ TEST_P(CompressedRow, SumsLikeTheWholeRow) {
   const Model model = Model::parse(GetParam());
   const CompressedRows rows(model, 0.04, 1e9);
   SplitRows whole(model);
-  for (const Size n : {1024, 1025, 1026, 1027, 3000}) {
+  for (const Size n : {1024u, 1025u, 1026u, 1027u, 3000u}) {
     const auto compared = [&](std::optional<Residue> residue, auto g) {
       double exact = 0, compressed = 0;
       const SplitRow row = whole.row(n);

@@ -132,7 +132,7 @@ TEST(HeightLaw, OfThousandsOfNodesKeepsItsLowerTail) {
   constexpr Size n = 8192, top = 24;
   const auto law = ramify::build_law(Model::parse("bst"), n, ramify::HeightLaw());
   const Table at_most = low_heights(n, top);
-  for (const Size size : {3000, 8192}) {
+  for (const Size size : {3000u, 8192u}) {
     const auto pmf = law.pmf(size);
     const Size lowest = law.lowest(size);
     for (Size h = 15; h <= top; ++h) {

@@ -89,7 +89,8 @@ ObservedBiOrders read_back(const std::string& text) {
 
 TEST(ObservedBiOrders, ComeBackFromATable) {
   ObservedBiOrders observed = observed_of(trees_by_order("tokunaga(1,2)", 5, 1)[0]);
-  for (const Size order : {3, 4, 3}) observed.add(observed_of(trees_by_order("tokunaga(1,2)", order, 1)[0]));
+  for (const Size order : {3u, 4u, 3u})
+    observed.add(observed_of(trees_by_order("tokunaga(1,2)", order, 1)[0]));
   EXPECT_TRUE(is_bi_order_table(table_of(observed)));
   EXPECT_FALSE(is_bi_order_table("order,count\n1,2\n"));
   EXPECT_FALSE(is_bi_order_table(""));
