@@ -7,6 +7,7 @@
 
 #include "support/error_of.hpp"
 #include "support/goodness.hpp"
+#include "support/growing.hpp"
 #include "support/sanitized.hpp"
 #include "support/seed.hpp"
 #include "support/shape.hpp"
@@ -14,7 +15,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "ramify/model/labelled_tree.hpp"
 #include "ramify/statistic/registry.hpp"
 #include "ramify/tree/parenthesis_word.hpp"
 
@@ -22,8 +22,7 @@ namespace ramify {
 namespace {
 
 Tree tree_of(const Model& model, Size n, std::uint64_t replicate) {
-  Stream stream({test::seed_of("compared"), 0}, replicate);
-  return grow_labelled(model, n, stream, test::uninterrupted).tree;
+  return test::grown_tree(model, n, {test::seed_of("compared"), 0}, replicate);
 }
 
 /// How often each statistic's p-value is at most 0.05.

@@ -3,7 +3,9 @@
 #include <variant>
 
 #include "support/sanitized.hpp"
+#include "support/uninterrupted.hpp"
 
+#include "ramify/model/labelled_tree.hpp"
 #include "ramify/tree/store.hpp"
 
 namespace ramify::test {
@@ -42,6 +44,11 @@ TreeSource tree_source(std::string_view model, StreamKey key, Size table_size) {
         };
       },
       Model::parse(model).law());
+}
+
+Tree grown_tree(const Model& model, Size n, StreamKey key, std::uint64_t replicate) {
+  Stream stream(key, replicate);
+  return grow_labelled(model, n, stream, uninterrupted).tree;
 }
 
 std::vector<std::uint64_t> count_splits(std::string_view model, Size n, std::uint64_t draws,

@@ -35,6 +35,9 @@ const std::vector<std::string>& all_models();
 using TreeSource = std::function<Tree(Size n, std::uint64_t replicate)>;
 TreeSource tree_source(std::string_view model, StreamKey key, Size table_size);
 
+/// One stored tree of any model.
+Tree grown_tree(const Model& model, Size n, StreamKey key, std::uint64_t replicate);
+
 /// How often each left size 0..n-1 came in so many draws (sanitized.hpp) of the split of a tree of size n.
 std::vector<std::uint64_t> count_splits(std::string_view model, Size n, std::uint64_t draws,
                                         std::uint64_t seed, Size table_size);

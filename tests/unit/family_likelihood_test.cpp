@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "support/error_of.hpp"
+#include "support/growing.hpp"
 #include "support/seed.hpp"
 #include "support/tree_files.hpp"
-#include "support/uninterrupted.hpp"
 #include <boost/math/special_functions/beta.hpp>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -15,8 +15,6 @@
 #include "ramify/family/beta_cell.hpp"
 #include "ramify/family/family.hpp"
 #include "ramify/model/beta.hpp"
-#include "ramify/model/labelled_tree.hpp"
-#include "ramify/random/stream.hpp"
 
 namespace ramify {
 namespace {
@@ -122,8 +120,7 @@ double literal_product(const Model& model, const Tree& tree) {
 }
 
 Tree grown(const Model& model, Size n, std::uint64_t replicate) {
-  Stream stream({test::seed_of("family likelihood"), n}, replicate);
-  return grow_labelled(model, n, stream, test::uninterrupted).tree;
+  return test::grown_tree(model, n, {test::seed_of("family likelihood"), n}, replicate);
 }
 
 TEST(FamilyLikelihood, IsTheProductOfTheSplitLawOverAllNodes) {

@@ -5,12 +5,10 @@
 #include "support/grown_cases.hpp"
 #include "support/shape.hpp"
 #include "support/tree_files.hpp"
-#include "support/uninterrupted.hpp"
 #include <gtest/gtest.h>
 
 #include "ramify/core/cancellation.hpp"
 #include "ramify/format/write_trees.hpp"
-#include "ramify/model/labelled_tree.hpp"
 #include "ramify/model/registry.hpp"
 #include "ramify/tree/parenthesis_word.hpp"
 
@@ -24,8 +22,7 @@ RecordedTree plain(Tree tree) {
 }
 
 Tree grown(const Model& model, Size n, std::uint64_t replicate) {
-  Stream stream({1996, model.stream_cell(n)}, replicate);
-  return grow_labelled(model, n, stream, test::uninterrupted).tree;
+  return test::grown_tree(model, n, {1996, model.stream_cell(n)}, replicate);
 }
 
 class Written : public testing::TestWithParam<TreeFormat> {

@@ -6,17 +6,11 @@
 #include "support/uninterrupted.hpp"
 #include <gtest/gtest.h>
 
-#include "ramify/model/labelled_tree.hpp"
 #include "ramify/sample/measure_tree.hpp"
 #include "ramify/sample/tree_sampler.hpp"
 
 namespace ramify {
 namespace {
-
-TreeMeasures stored(const Model& model, Size n, StreamKey key, std::uint64_t replicate) {
-  Stream stream(key, replicate);
-  return measure_tree(grow_labelled(model, n, stream, test::uninterrupted).tree, key, replicate);
-}
 
 /// The walks are random, and a stored tree is folded in another order.
 void expect_same_but_for_the_walks(const TreeMeasures& a, const TreeMeasures& b, std::size_t orders) {
@@ -48,7 +42,7 @@ TEST(MeasureTree, SeesWhatTheGrowingPassSees) {
       TreeMeasures grown, less;
       all->sample(n, key, 3, grown);
       full->sample(n, key, 3, less);
-      expect_same_but_for_the_walks(grown, stored(model, n, key, 3), 20);
+      expect_same_but_for_the_walks(grown, measure_tree(test::grown_tree(model, n, key, 3), key, 3), 20);
       EXPECT_EQ(grown.depth, less.depth);
       EXPECT_EQ(grown.nodes, less.nodes);
       EXPECT_EQ(grown.balance, less.balance);
@@ -61,8 +55,7 @@ TEST(MeasureTree, SeesTheOrdersThatAreAskedForAlone) {
   cases.insert(cases.end(), {{"kary(3)", 1}, {"branching(0,1,0)", 5}});  // a leaf, a path
   for (const auto& [text, n] : cases) {
     const Model model = Model::parse(text);
-    Stream stream({7, 8}, 9);
-    const Tree tree = model.grown().grow(n, stream, test::uninterrupted);
+    const Tree tree = test::grown_tree(model, n, {7, 8}, 9);
     const TreeMeasures all = measure_tree(tree, {7, 8}, 9),
                        orders = measure_tree(tree, {7, 8}, 9, orders_and_height);
     EXPECT_EQ(orders.size, all.size) << text;
